@@ -1,0 +1,52 @@
+// isocast: parses the command line, runs one verb, turns failures into one sentence and an exit code.
+#include <isocast/apps/isocast/verbs.h>
+#include <isocast/base/error.h>
+#include <isocast/base/interrupt.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace {
+
+// A formula may begin with '-': a word like -x^2+y^2 is no option. A leading blank hides it from the option parser and
+// means nothing to the formula parser.
+std::string protect_formula(const std::string& word) {
+  const bool option = word.size() < 2 || word[0] != '-' || word[1] == '-' || word == "-o" || word == "-h";
+  return option ? word : " " + word;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  isocast::interrupt_token();  // before any thread starts
+  CLI::App app{"Ray tracer for surfaces given as f = iso: volumes and formulas"};
+  app.name("isocast");
+  app.set_version_flag("--version", ISOCAST_VERSION);
+  app.require_subcommand(1);
+  // verbs, in the order of --help
+
+  std::vector<std::string> words(argv + 1, argv + argc);
+  for (std::string& word : words) word = protect_formula(word);
+  std::vector<std::string> reversed(words.rbegin(), words.rend());
+  try {
+    app.parse(reversed);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    fmt::print(stderr, "isocast: {}\nRun 'isocast --help' or 'isocast VERB --help' for the options.\n", error.what());
+    return 2;
+  }
+  return 0;
+} catch (const isocast::InputError& error) {
+  fmt::print(stderr, "isocast: {}\n", error.what());
+  return 2;
+} catch (const isocast::Interrupted&) {
+  fmt::print(stderr, "isocast: interrupted, nothing was written\n");
+  return 130;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "isocast: internal failure: {}\n", error.what());
+  return 1;
+}

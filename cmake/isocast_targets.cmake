@@ -1,0 +1,70 @@
+# How every target of the project is compiled: warnings, one rounding behaviour, kernels once per instruction set.
+
+# Includes are written <isocast/volume/grid.h> in the tree and after installation alike.
+set(isocast_include_dir ${CMAKE_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${isocast_include_dir}/isocast)
+foreach(folder base isa math ray scene render)
+  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/src/${folder} ${isocast_include_dir}/isocast/${folder} SYMBOLIC)
+endforeach()
+foreach(folder volume implicit data_gen apps)
+  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${folder} ${isocast_include_dir}/isocast/${folder} SYMBOLIC)
+endforeach()
+
+add_library(isocast_options INTERFACE)
+target_include_directories(isocast_options INTERFACE ${isocast_include_dir})
+target_compile_options(isocast_options INTERFACE
+  -Wall -Wextra -Wno-psabi -ffp-contract=off -fno-math-errno -fno-trapping-math
+  $<$<BOOL:${ISOCAST_WARNINGS_AS_ERRORS}>:-Werror>
+  $<$<BOOL:${ISOCAST_SANITIZE}>:-fsanitize=address,undefined;-fno-sanitize-recover=undefined;-fno-omit-frame-pointer>)
+target_link_options(isocast_options INTERFACE $<$<BOOL:${ISOCAST_SANITIZE}>:-fsanitize=address,undefined>)
+target_compile_definitions(isocast_options INTERFACE $<$<BOOL:${ISOCAST_SANITIZE}>:ISOCAST_SANITIZE>)
+
+# A static library of the project: isocast_add_library(NAME sources...), linked by name.
+function(isocast_add_library target)
+  add_library(${target} STATIC ${ARGN})
+  target_link_libraries(${target} PUBLIC isocast_options)
+endfunction()
+
+# An optional part with heavy dependencies, opened at run time by open_module(NAME): isocast_add_module(NAME sources...).
+set(ISOCAST_MODULE_DIR ${CMAKE_BINARY_DIR}/lib/isocast)
+function(isocast_add_module name)
+  add_library(isocast_module_${name} MODULE ${ARGN})
+  target_link_libraries(isocast_module_${name} PRIVATE isocast_options)
+  set_target_properties(isocast_module_${name} PROPERTIES PREFIX "" OUTPUT_NAME isocast_${name}
+    LIBRARY_OUTPUT_DIRECTORY ${ISOCAST_MODULE_DIR} CXX_VISIBILITY_PRESET hidden)
+  install(TARGETS isocast_module_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/isocast)
+endfunction()
+
+# Kernels: the same sources once per instruction set, always -O3, in a namespace of their own (ISO_ISA).
+set(isocast_isas scalar sse4 avx2 avx512)
+set(isocast_isa_flags_scalar -fno-tree-vectorize)
+set(isocast_isa_flags_sse4 -msse4.2)
+set(isocast_isa_flags_avx2 -mavx2 -mf16c)
+set(isocast_isa_flags_avx512 -mavx512f -mavx512dq -mavx512bw -mavx512vl -mavx2 -mf16c -mprefer-vector-width=512)
+function(isocast_add_kernels target)
+  foreach(isa ${isocast_isas})
+    set(kernels ${target}_kernels_${isa})
+    add_library(${kernels} OBJECT ${ARGN})
+    target_link_libraries(${kernels} PRIVATE isocast_options)
+    target_compile_definitions(${kernels} PRIVATE ISO_ISA=${isa})
+    target_compile_options(${kernels} PRIVATE ${isocast_isa_flags_${isa}} -O3)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${kernels}>)
+  endforeach()
+endfunction()
+
+# Every public header compiles alone.
+function(isocast_check_headers)
+  file(GLOB_RECURSE headers RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS
+    ${CMAKE_SOURCE_DIR}/src/*.h ${CMAKE_SOURCE_DIR}/volume/*.h ${CMAKE_SOURCE_DIR}/implicit/*.h
+    ${CMAKE_SOURCE_DIR}/data_gen/*.h ${CMAKE_SOURCE_DIR}/apps/*.h)
+  set(sources)
+  foreach(header ${headers})
+    string(REGEX REPLACE "^src/" "" include ${header})
+    string(MAKE_C_IDENTIFIER ${include} name)
+    set(source ${CMAKE_BINARY_DIR}/header_check/${name}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include <isocast/${include}>\n")
+    list(APPEND sources ${source})
+  endforeach()
+  add_library(isocast_header_check OBJECT ${sources})
+  target_link_libraries(isocast_header_check PRIVATE isocast)
+endfunction()

@@ -1,0 +1,40 @@
+#include <isocast/base/progress.h>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace isocast {
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+Progress::Progress(std::string what, std::int64_t total)
+    : what_(std::move(what)), total_(std::max<std::int64_t>(total, 1)), start_(steady_clock::now()), last_(start_),
+      terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+  if (drawn_) fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::add(std::int64_t units) {
+  const std::int64_t done = done_ += units;
+  if (!terminal_ || !mutex_.try_lock()) return;
+  draw(done);
+  mutex_.unlock();
+}
+
+void Progress::draw(std::int64_t done) {
+  const auto now = steady_clock::now();
+  if (now - start_ < milliseconds(1000) || now - last_ < milliseconds(100)) return;
+  last_ = now;
+  drawn_ = true;
+  constexpr int kWidth = 40;
+  const double fraction = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
+  const int full = static_cast<int>(fraction * kWidth);
+  fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f} %", what_, "", full, "", kWidth - full, 100 * fraction);
+  std::fflush(stderr);
+}
+
+}  // namespace isocast
