@@ -28,6 +28,12 @@ int main(int argc, char** argv) try {
   app.set_version_flag("--version", ISOCAST_VERSION);
   app.require_subcommand(1);
   // verbs, in the order of --help
+  isocast::verbs::add_render(app);
+  isocast::verbs::add_methods(app);
+  isocast::verbs::add_sample(app);
+  isocast::verbs::add_info(app);
+  isocast::verbs::add_surfaces(app);
+  isocast::verbs::add_bench(app);
 
   std::vector<std::string> words(argv + 1, argv + argc);
   for (std::string& word : words) word = protect_formula(word);

@@ -7,5 +7,11 @@ class App;
 
 namespace isocast::verbs {
 
+void add_render(CLI::App& app);
+void add_methods(CLI::App& app);
+void add_sample(CLI::App& app);
+void add_info(CLI::App& app);
+void add_surfaces(CLI::App& app);
+void add_bench(CLI::App& app);
 
 }  // namespace isocast::verbs

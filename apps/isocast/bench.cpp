@@ -1,0 +1,42 @@
+// isocast bench: error against run time, written as tables.
+#include <isocast/apps/bench/cells.h>
+#include <isocast/apps/isocast/verbs.h>
+#include <isocast/base/error.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+namespace isocast::verbs {
+namespace {
+
+struct BenchOptions {
+  std::string suite, folder, isa;
+  bool quick = false;
+};
+
+void run_bench(const BenchOptions& options) {
+  if (options.suite != "cells") throw InputError(fmt::format("suite '{}' is unknown; expected cells", options.suite));
+  bench::CellSuiteOptions cells{.quick = options.quick};
+  if (!options.isa.empty()) cells.isas = {isa_from_name(options.isa)};
+  bench::prepare_folder(options.folder);
+  const std::vector<bench::Row> rows = run_cells(cells);
+  bench::write_results(options.folder, rows);
+  fmt::print("{}", bench::cell_summary(rows));
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("bench", "Error against run time, as results.csv and results.json");
+  const auto options = std::make_shared<BenchOptions>();
+  verb->add_option("suite", options->suite, "cells: every cell intersector on every family of cells")->required();
+  verb->add_option("-o,--output", options->folder, "Folder of the result files, made if missing")->required();
+  verb->add_flag("--quick", options->quick, "Six named cases with fewer rays");
+  verb->add_option("--isa", options->isa, "Time one instruction set: auto, scalar, sse4, avx2 or avx512 (default: all that run here)");
+  verb->callback([options] { run_bench(*options); });
+}
+
+}  // namespace isocast::verbs

@@ -1,0 +1,130 @@
+// isocast info: what a volume file holds, as a table or as JSON.
+#include <isocast/apps/isocast/verbs.h>
+#include <isocast/apps/isocast/volume_options.h>
+#include <isocast/volume/io/read_volume.h>
+#include <isocast/volume/statistics.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+namespace isocast::verbs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoOptions {
+  std::string file;
+  ReadOptions read;
+  bool json = false;
+};
+
+// The grid in the world: origin, and direction and spacing of each axis.
+struct Placement {
+  Double3 origin, spacing;
+  std::array<Double3, 3> axes;
+};
+
+Placement placement_of(const Transform& world_from_grid) {
+  Placement placement;
+  for (int a = 0; a < 3; ++a) {
+    const Double3 step = {world_from_grid.m[0][a], world_from_grid.m[1][a], world_from_grid.m[2][a]};
+    placement.origin[a] = world_from_grid.m[a][3];
+    placement.spacing[a] = length(step);
+    placement.axes[a] = normalized(step);
+  }
+  return placement;
+}
+
+double megabytes(const Volume& volume) { return static_cast<double>(volume.bytes()) / 1e6; }
+
+void print_json(const Volume& volume, const VolumeStatistics& statistics) {
+  const Placement placement = placement_of(volume.world_from_grid);
+  Json percentiles = Json::object();
+  for (const Percentile& p : statistics.percentiles) percentiles[fmt::format("{}", p.percent)] = p.value;
+  const Histogram& histogram = statistics.histogram;
+  const Json info = {{"format", volume.format},
+                     {"dims", volume.dims},
+                     {"type", name_of(volume.type)},
+                     {"spacing", placement.spacing},
+                     {"origin", placement.origin},
+                     {"axes", placement.axes},
+                     {"slope", volume.slope},
+                     {"intercept", volume.intercept},
+                     {"range", {statistics.min, statistics.max}},
+                     {"nan_count", statistics.nan_count},
+                     {"infinite_count", statistics.infinite_count},
+                     {"histogram", {{"lo", histogram.lo}, {"hi", histogram.hi}, {"counts", histogram.counts}}},
+                     {"percentiles", percentiles},
+                     {"suggested_iso", statistics.suggested_iso},
+                     {"memory_mb", megabytes(volume)},
+                     {"mapped", volume.mapped}};
+  fmt::print("{}\n", info.dump(2));
+}
+
+// The histogram in few rows, bars by the square root of the counts: a volume is mostly empty space.
+void print_histogram(const Histogram& histogram) {
+  constexpr int kRows = 16, kBinsPerRow = Histogram::kBins / kRows, kWidth = 48;
+  std::array<std::int64_t, kRows> counts;
+  for (int r = 0; r < kRows; ++r) {
+    const auto first = histogram.counts.begin() + r * kBinsPerRow;
+    counts[r] = std::accumulate(first, first + kBinsPerRow, std::int64_t(0));
+  }
+  const double most = std::sqrt(static_cast<double>(std::max<std::int64_t>(1, *std::ranges::max_element(counts))));
+  fmt::print("histogram  (bars: square root of the number of samples)\n");
+  for (int r = 0; r < kRows; ++r) {
+    const double position = static_cast<double>(r) / kRows;
+    const int bar = static_cast<int>(std::ceil(kWidth * std::sqrt(static_cast<double>(counts[r])) / most));
+    fmt::print("  {:>10.5g}  {:{}}  {}\n", (1 - position) * histogram.lo + position * histogram.hi, std::string(bar, '#'),
+               kWidth, counts[r]);
+  }
+}
+
+void print_table(const std::string& file, const Volume& volume, const VolumeStatistics& statistics) {
+  const Placement placement = placement_of(volume.world_from_grid);
+  const auto row = [](std::string_view name, const std::string& value) { fmt::print("{:<10} {}\n", name, value); };
+  const auto numbers = [](const auto& values) { return fmt::format("{:.6g}", fmt::join(values, " ")); };
+  row("file", file);
+  row("format", volume.format);
+  row("dims", fmt::format("{} x {} x {}", volume.dims[0], volume.dims[1], volume.dims[2]));
+  row("type", std::string(name_of(volume.type)));
+  row("memory", fmt::format("{:.1f} MB{}", megabytes(volume), volume.mapped ? ", mapped from the file" : ""));
+  row("spacing", numbers(placement.spacing));
+  row("origin", numbers(placement.origin));
+  row("axes", fmt::format("({})  ({})  ({})", numbers(placement.axes[0]), numbers(placement.axes[1]), numbers(placement.axes[2])));
+  if (volume.slope != 1 || volume.intercept != 0)
+    row("values", fmt::format("{:.6g} * stored + {:.6g}", volume.slope, volume.intercept));
+  row("range", fmt::format("{:.6g} to {:.6g}", statistics.min, statistics.max));
+  if (statistics.nan_count + statistics.infinite_count > 0)
+    row("left out", fmt::format("{} NaN, {} infinite", statistics.nan_count, statistics.infinite_count));
+  row("iso-values", numbers(statistics.suggested_iso));
+  std::string percentiles;
+  for (const Percentile& p : statistics.percentiles) percentiles += fmt::format("{}%: {:.5g}  ", p.percent, p.value);
+  row("percentile", percentiles.substr(0, percentiles.size() - 2));
+  if (statistics.finite_count > 0) print_histogram(statistics.histogram);
+}
+
+void run(const InfoOptions& options) {
+  const Volume volume = read_volume(options.file, options.read);
+  const VolumeStatistics statistics = statistics_of(volume);
+  if (options.json) print_json(volume, statistics);
+  else print_table(options.file, volume, statistics);
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("info", "What a volume file holds: dimensions, type, range, histogram, iso-values");
+  const auto options = std::make_shared<InfoOptions>();
+  verb->add_option("FILE", options->file, "A volume: .raw .nrrd .nhdr .nii .nii.gz .vti")->required();
+  verb->add_flag("--json", options->json, "One object on stdout");
+  add_read_options(*verb, options->read);
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace isocast::verbs

@@ -1,0 +1,36 @@
+// From a description to surfaces: the only place that knows every kind of surface.
+#pragma once
+
+#include <isocast/apps/scene_build/description.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isocast {
+
+/// How the scene is evaluated, the same for all its objects.
+struct EvaluationSettings {
+  Isa isa = Isa::scalar;
+  bool double_precision = false;
+};
+
+/// A scene with what was learnt while it was built, for --stats.
+struct BuiltScene {
+  Scene scene;
+  std::shared_ptr<const Volume> volume;
+  std::shared_ptr<VolumeSurface> surface;
+  VolumeSurfaceOptions options;
+  std::string method, method_reason;           // method_reason only when the method was "auto"
+  std::vector<std::string> features, left_out;
+  double load_ms = 0, build_ms = 0;
+
+  /// Moves the surfaces to other iso-values (the file's scaled units); nothing is rebuilt.
+  void set_iso(const std::vector<double>& iso, const std::vector<Color>& colors);
+};
+
+/// Opens and builds what the description names and nothing else. Throws InputError for files, methods and options that cannot
+/// be used.
+[[nodiscard]] BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings);
+
+}  // namespace isocast

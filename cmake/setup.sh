@@ -1,0 +1,60 @@
+# Sourced by demo and check: installs the packages that are missing, configures and builds; quiet unless something fails.
+
+isocast_packages=(g++ cmake ninja-build ccache libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev libsleef-dev
+  libopenimageio-dev libnifti2-dev libpugixml-dev zlib1g-dev catch2 libgmp-dev libmpfr-dev)
+
+# Runs a command; shows what it printed only when it fails.
+quietly() {
+  local log status=0
+  log=$(mktemp)
+  "$@" >"$log" 2>&1 || status=$?
+  if ((status)); then cat "$log" >&2; fi
+  rm -f "$log"
+  return "$status"
+}
+
+# The packages of the list that dpkg does not report as installed, one a line.
+missing_packages() {
+  local package
+  for package in "${isocast_packages[@]}"; do
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed* ]] || echo "$package"
+  done
+}
+
+install_packages() {
+  local missing as_root=()
+  mapfile -t missing < <(missing_packages)
+  ((${#missing[@]})) || return 0
+  if ! command -v apt-get >/dev/null || { ((EUID)) && ! command -v sudo >/dev/null; }; then
+    echo "isocast: these packages are missing, and installing them takes Debian's apt-get as root or with sudo:" \
+      "${missing[*]}" >&2
+    exit 2
+  fi
+  ((EUID)) && as_root=(sudo)
+  echo "Installing ${missing[*]}"
+  # an update that fails for one foreign source does not matter when the installation succeeds
+  quietly "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c \
+    'apt-get update; exec apt-get install -y --no-install-recommends -o DPkg::Lock::Timeout=300 "$@"' sh "${missing[@]}"
+}
+
+# One job a core, as long as each has 1.5 GB of memory.
+job_count() {
+  local cores memory_kb jobs
+  cores=$(nproc)
+  memory_kb=$(awk '/^MemTotal:/ {print $2}' /proc/meminfo)
+  jobs=$((memory_kb / 1500000))
+  echo $((jobs < 1 ? 1 : jobs < cores ? jobs : cores))
+}
+
+# build PRESET FOLDER [TARGET...]: everything without targets; configures only when that was never done or the presets changed.
+build() {
+  local preset=$1 folder=$2 targets=()
+  shift 2
+  (($#)) && targets=(--target "$@")
+  if [[ ! -f $folder/build.ninja || CMakePresets.json -nt $folder/build.ninja ]]; then
+    echo "Configuring $folder"
+    quietly cmake --preset "$preset"
+  fi
+  echo "Building in $folder"
+  quietly cmake --build --preset "$preset" --parallel "$(job_count)" "${targets[@]}"
+}

@@ -1,0 +1,127 @@
+// Runs a tape: on one R (a number, several lanes, later an interval), or on a block of points.
+#pragma once
+
+#include <isocast/implicit/expression/instruction.h>
+#include <isocast/implicit/expression/operations.h>
+
+namespace isocast::inline ISO_ISA {
+
+/// A constant of a tape as an R. Kinds of R that enclose have their own, which widens what is not exact.
+template <Real R> inline R constant_as(TapeConstant constant, R) {
+  return R(static_cast<Scalar<R>>(constant.value));
+}
+
+/// Calls of `run`, for each instruction i in order, that one which fits: run.constant(i), run.variable(i),
+/// run.unary(i, f), run.binary(i, f) or run.power(i). The only place that knows what the operations mean.
+template <class Run> inline void run_tape(const TapeView& tape, Run run) {
+  for (const Instruction *at = tape.code, *end = tape.code + tape.length; at != end; ++at) {
+    const Instruction& i = *at;
+    switch (i.op) {
+      case Op::constant: run.constant(i); break;
+      case Op::variable: run.variable(i); break;
+      case Op::negate: run.unary(i, [](auto a) { return -a; }); break;
+      case Op::abs: run.unary(i, [](auto a) { return abs(a); }); break;
+      case Op::sign: run.unary(i, [](auto a) { return sign(a); }); break;
+      case Op::square: run.unary(i, [](auto a) { return square(a); }); break;
+      case Op::power: run.power(i); break;
+      case Op::sqrt: run.unary(i, [](auto a) { return sqrt(a); }); break;
+      case Op::cbrt: run.unary(i, [](auto a) { return cbrt(a); }); break;
+      case Op::exp: run.unary(i, [](auto a) { return exp(a); }); break;
+      case Op::log: run.unary(i, [](auto a) { return log(a); }); break;
+      case Op::log10: run.unary(i, [](auto a) { return log10(a); }); break;
+      case Op::sin: run.unary(i, [](auto a) { return sin(a); }); break;
+      case Op::cos: run.unary(i, [](auto a) { return cos(a); }); break;
+      case Op::tan: run.unary(i, [](auto a) { return tan(a); }); break;
+      case Op::asin: run.unary(i, [](auto a) { return asin(a); }); break;
+      case Op::acos: run.unary(i, [](auto a) { return acos(a); }); break;
+      case Op::atan: run.unary(i, [](auto a) { return atan(a); }); break;
+      case Op::sinh: run.unary(i, [](auto a) { return sinh(a); }); break;
+      case Op::cosh: run.unary(i, [](auto a) { return cosh(a); }); break;
+      case Op::tanh: run.unary(i, [](auto a) { return tanh(a); }); break;
+      case Op::floor: run.unary(i, [](auto a) { return floor(a); }); break;
+      case Op::ceil: run.unary(i, [](auto a) { return ceil(a); }); break;
+      case Op::round: run.unary(i, [](auto a) { return round(a); }); break;
+      case Op::add: run.binary(i, [](auto a, auto b) { return a + b; }); break;
+      case Op::subtract: run.binary(i, [](auto a, auto b) { return a - b; }); break;
+      case Op::multiply: run.binary(i, [](auto a, auto b) { return a * b; }); break;
+      case Op::divide: run.binary(i, [](auto a, auto b) { return a / b; }); break;
+      case Op::min: run.binary(i, [](auto a, auto b) { return min(a, b); }); break;
+      case Op::max: run.binary(i, [](auto a, auto b) { return max(a, b); }); break;
+      case Op::pow: run.binary(i, [](auto a, auto b) { return pow(a, b); }); break;
+      case Op::atan2: run.binary(i, [](auto a, auto b) { return atan2(a, b); }); break;
+      case Op::step: run.binary(i, [](auto a, auto b) { return step(a, b); }); break;
+    }
+  }
+}
+
+/// One R at a time.
+template <class R> struct RunOne {
+  const TapeConstant* constants;
+  const R* inputs;
+  R* registers;
+  void constant(const Instruction& i) { registers[i.out] = constant_as(constants[i.a], R{}); }
+  void variable(const Instruction& i) { registers[i.out] = inputs[i.a]; }
+  template <class F> void unary(const Instruction& i, F f) { registers[i.out] = f(registers[i.a]); }
+  template <class F> void binary(const Instruction& i, F f) {
+    registers[i.out] = f(registers[i.a], registers[i.b]);
+  }
+  void power(const Instruction& i) { registers[i.out] = isocast::power(registers[i.a], i.n); }
+};
+
+/// f at inputs[0..3] = x, y, z, w. `registers` has room for Tape::registers and is left with garbage.
+template <class R> inline R evaluate(const TapeView& tape, const R* inputs, R* registers) {
+  run_tape(tape, RunOne<R>{tape.constants, inputs, registers});
+  return registers[tape.result];
+}
+
+/// Points that a block holds; a register of a block is so many numbers.
+inline constexpr int kBlockPoints = 128;
+
+/// One instruction at a time over many points, in loops that the compiler vectorises.
+template <ScalarReal T> struct RunBlock {
+  const TapeConstant* constants;
+  const T* const* inputs;
+  int count;
+  T* registers;
+
+  T* place(std::uint32_t index) { return registers + std::size_t{index} * kBlockPoints; }
+  template <class F> void fill(const Instruction& i, F value) {
+    T* const out = place(i.out);
+#pragma GCC ivdep
+    for (int k = 0; k < count; ++k) out[k] = value(k);
+  }
+  void constant(const Instruction& i) {
+    fill(i, [value = constant_as(constants[i.a], T{})](int) { return value; });
+  }
+  void variable(const Instruction& i) {
+    fill(i, [in = inputs[i.a]](int k) { return in[k]; });
+  }
+  template <class F> void unary(const Instruction& i, F f) {
+    fill(i, [f, a = place(i.a)](int k) { return f(a[k]); });
+  }
+  template <class F> void binary(const Instruction& i, F f) {
+    fill(i, [f, a = place(i.a), b = place(i.b)](int k) { return f(a[k], b[k]); });
+  }
+  // The loop over the exponent's bits keeps the compiler from vectorising: lanes by hand.
+  void power(const Instruction& i) {
+    using Lanes = Pack<T, 16 / sizeof(T)>;
+    const T* const a = place(i.a);
+    T* const out = place(i.out);
+    int k = 0;
+    for (; k + kWidth<Lanes> <= count; k += kWidth<Lanes>)
+      store(out + k, isocast::power(load<Lanes>(a + k), i.n));
+    for (; k < count; ++k) out[k] = isocast::power(a[k], i.n);
+  }
+};
+
+/// f at `count` <= kBlockPoints points, inputs[0..3] being their x, y, z, w. `registers` has room for
+/// Tape::registers * kBlockPoints numbers; the values, the same bits as one at a time, are `count` of them
+/// from the returned one.
+template <ScalarReal T>
+inline const T* evaluate_block(const TapeView& tape, const T* const (&inputs)[4], int count, T* registers) {
+  RunBlock<T> run{tape.constants, inputs, count, registers};
+  run_tape(tape, run);
+  return run.place(tape.result);
+}
+
+}  // namespace isocast::inline ISO_ISA

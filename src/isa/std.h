@@ -1,0 +1,5 @@
+// The few standard types that kernels may use.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>

@@ -1,0 +1,54 @@
+// Where rays hit, and how sure that is.
+#pragma once
+
+#include <isocast/ray/stream.h>
+
+namespace isocast {
+
+/// What a method says of a ray: nothing proved; a root lies in [t_lo, t_hi] and [t_min, t_lo) is empty; no root at all;
+/// neither could be proved.
+enum class Certificate : std::uint8_t { no_proof, proved_hit, proved_miss, undecided };
+
+/// First hits of a RayStream, slot by slot. t is +inf where nothing was hit; then only certificate and cost have a meaning.
+///
+/// t, t_lo, t_hi  ray parameter of the hit and its bracket, in units of the ray's direction
+/// cell, s, s_hi  cell of the hit (volumes) and the place in its chord, from which next_hit goes on
+/// sides          bit i set: f < iso i in front of the hit
+/// cost           cells tested and cubics solved, or the evaluations of a formula
+struct alignas(64) HitStream {
+  double t[kStreamSize], t_lo[kStreamSize], t_hi[kStreamSize];
+  double s[kStreamSize], s_hi[kStreamSize];
+  std::int64_t cell[kStreamSize];
+  std::uint32_t sides[kStreamSize];
+  std::uint32_t cost[kStreamSize];
+  std::uint16_t object[kStreamSize];
+  std::uint8_t iso[kStreamSize];
+  Certificate certificate[kStreamSize];
+};
+
+/// No hit in any slot.
+inline void clear(HitStream& hits) {
+  for (int i = 0; i < kStreamSize; ++i) {
+    hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = __builtin_inf();
+    hits.cost[i] = 0;
+    hits.object[i] = kNoObject;
+    hits.certificate[i] = Certificate::no_proof;
+  }
+}
+/// Behind the hit, bit `iso` of sides has changed, unless the surface was only touched (undecided).
+inline std::uint32_t sides_behind(const HitStream& hits, int slot) {
+  return hits.certificate[slot] == Certificate::undecided ? hits.sides[slot] : hits.sides[slot] ^ (1u << hits.iso[slot]);
+}
+
+/// Work done, summed over rays.
+struct TraceCounts {
+  std::int64_t cells = 0, macrocells = 0, solves = 0;
+  TraceCounts& operator+=(const TraceCounts& other) {
+    cells += other.cells;
+    macrocells += other.macrocells;
+    solves += other.solves;
+    return *this;
+  }
+};
+
+}  // namespace isocast

@@ -1,0 +1,38 @@
+// A method as a row of plain data: the command line, `isocast methods`, the bench and the docs are generated from it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <map>
+
+namespace isocast {
+
+/// One `--set NAME=VALUE` of a method.
+struct MethodOption {
+  std::string_view name;
+  double default_value, lo, hi;
+  bool integer;
+  std::string_view unit;     // "" for counts and switches
+  std::string_view meaning;
+};
+
+struct Method {
+  std::string_view name;
+  std::string_view applies_to;  // "volume" | "formula"
+  std::string_view proves;      // "nothing" | "hits" | "misses" | "both"
+  std::string_view arithmetic;  // "basic" (+ - * / sqrt: the same bits everywhere) | "library"
+  std::string_view precisions;  // "float double"
+  std::span<const MethodOption> options;
+  std::string_view source;
+};
+
+/// The values of `settings` ("iterations" -> "5") as numbers, defaults filled in. Throws InputError for an unknown name (with
+/// those that exist), a value that is no number, no integer where one is due, or outside its range.
+[[nodiscard]] std::map<std::string, double> resolve_options(const Method& method,
+                                                            const std::map<std::string, std::string>& settings);
+
+/// The row of that name, or an InputError that lists the names.
+[[nodiscard]] const Method& find_method(std::span<const Method> methods, std::string_view name);
+
+}  // namespace isocast

@@ -1,0 +1,101 @@
+#include <isocast/base/error.h>
+#include <isocast/render/camera.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace isocast {
+namespace {
+
+bool finite(const Double3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+}  // namespace
+
+Camera frame(const Box& box, const CameraWishes& wishes, double aspect) {
+  const double fov = wishes.fov.value_or(45);
+  if (!(fov > 0 && fov < 180)) throw InputError(fmt::format("--fov {}: expected degrees between 0 and 180", fov));
+  if (wishes.ortho_height && !(*wishes.ortho_height > 0 && std::isfinite(*wishes.ortho_height)))
+    throw InputError(fmt::format("--ortho {}: expected a positive height in world units", *wishes.ortho_height));
+  Camera camera;
+  camera.fov = fov;
+  camera.ortho_height = wishes.ortho_height;
+  camera.up = wishes.up.value_or(Double3{0, 0, 1});
+  camera.target = wishes.target.value_or(box.empty() ? Double3{0, 0, 0} : box.center());
+
+  // fit the bounding sphere into the narrower of the two angles
+  const double half = std::atan(std::tan(radians(fov) / 2) * std::min(1.0, aspect));
+  const double radius = box.empty() ? 1 : 0.5 * box.diagonal();
+  const Double3 from_front = normalized({0.5, -1, 0.4});
+  camera.position = wishes.position.value_or(camera.target + (radius / std::sin(half)) * from_front);
+
+  if (!finite(camera.position) || !finite(camera.target) || !finite(camera.up))
+    throw InputError("the camera's position, target and up must be finite numbers");
+  const Double3 forward = normalized(camera.target - camera.position);
+  if (length(forward) == 0) throw InputError("the camera's position and target are the same point: there is no direction to look in");
+  if (!(length(cross(forward, normalized(camera.up))) > 1e-9)) {
+    if (wishes.up) throw InputError("the camera's up vector points along its view: there is no upper side of the picture");
+    camera.up = {0, 1, 0};
+  }
+  return camera;
+}
+
+View::View(const Camera& camera, int width, int height)
+    : width_(width), height_(height), orthographic_(camera.ortho_height.has_value()), eye_(camera.position),
+      forward_(normalized(camera.target - camera.position)) {
+  const double picture_height = orthographic_ ? *camera.ortho_height : 2 * std::tan(radians(camera.fov) / 2);
+  const double pixel = picture_height / height;
+  const Double3 right = normalized(cross(forward_, camera.up));
+  right_ = pixel * right;
+  down_ = pixel * cross(forward_, right);
+}
+
+Double3 View::image_point(double u, double v) const {
+  const Double3 across = (u - 0.5 * width_) * right_ + (v - 0.5 * height_) * down_;
+  return orthographic_ ? eye_ + across : forward_ + across;
+}
+
+void View::fill(int tx, int ty, double offset_u, double offset_v, RayStream& rays) const {
+  rays.size = kStreamSize;
+  rays.kind = RayKind::primary;
+  for (int i = 0; i < kStreamSize; ++i) {
+    // packet p of 4x4 pixels, lane l in it
+    const int p = i / 16, l = i % 16;
+    const int x = tx * kTileSize + p % 4 * 4 + l % 4, y = ty * kTileSize + p / 4 * 4 + l / 4;
+    const bool inside = x < width_ && y < height_;
+    const double u = x + offset_u, v = y + offset_v;
+    const Double3 point = image_point(u, v);
+    const Double3 o = orthographic_ ? point : eye_, d = orthographic_ ? forward_ : normalized(point);
+    rays.ox[i] = o[0], rays.oy[i] = o[1], rays.oz[i] = o[2];
+    rays.dx[i] = d[0], rays.dy[i] = d[1], rays.dz[i] = d[2];
+    rays.t_min[i] = inside ? 0 : 1;
+    rays.t_max[i] = inside ? __builtin_inf() : 0;
+    rays.u[i] = static_cast<float>(u);
+    rays.v[i] = static_cast<float>(v);
+    rays.id[i] = inside ? static_cast<std::uint32_t>(x + y * width_) : 0;
+    rays.start_object[i] = kNoObject;
+    rays.start_sides[i] = 0;
+  }
+}
+
+TileFrustum View::frustum(int tx, int ty) const {
+  const double u0 = tx * kTileSize, v0 = ty * kTileSize;
+  const double u1 = std::min<double>(u0 + kTileSize, width_), v1 = std::min<double>(v0 + kTileSize, height_);
+  const Double3 corners[4] = {image_point(u0, v0), image_point(u1, v0), image_point(u1, v1), image_point(u0, v1)};
+  const Double3 inside = image_point(0.5 * (u0 + u1), 0.5 * (v0 + v1));
+  TileFrustum tile;
+  for (int i = 0; i < 4; ++i) {
+    const Double3 &a = corners[i], &b = corners[(i + 1) % 4];
+    const Double3 on_plane = orthographic_ ? a : eye_;
+    Double3 normal = orthographic_ ? cross(b - a, forward_) : cross(a, b);
+    const Double3 towards = orthographic_ ? inside - a : inside;
+    if (dot(normal, towards) < 0) normal = -1.0 * normal;
+    tile.normal[i] = normal;
+    tile.offset[i] = dot(normal, on_plane);
+  }
+  return tile;
+}
+
+}  // namespace isocast

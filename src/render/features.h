@@ -1,0 +1,26 @@
+// What a scene needs, found before anything runs: it decides which stages run at all.
+#pragma once
+
+#include <isocast/render/film.h>
+#include <isocast/scene/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace isocast {
+
+/// How a picture is shaded. `colors` false: only layers are wanted, nothing is shaded.
+struct RenderSettings {
+  int spp = 1;
+  bool colors = true;
+};
+
+struct Features {
+  bool shade = false, shadows = false;
+  DressWishes first_sample, other_samples;  // what the hits of the first sample of a pixel must offer, and of the others
+  std::vector<std::string> used, left_out;  // for --stats
+};
+
+[[nodiscard]] Features find_features(const Scene& scene, const Film& film, const RenderSettings& settings);
+
+}  // namespace isocast

@@ -1,0 +1,17 @@
+// What the module `image` offers to image_file.cpp.
+#pragma once
+
+#include <isocast/render/image_file.h>
+
+#include <cstdint>
+
+namespace isocast {
+
+/// `target` names the file in error messages only: the result is the file's content.
+struct ImageModule {
+  std::string (*encode_png)(const std::string& target, int width, int height, const std::uint8_t* rgb);
+  std::string (*encode_exr)(const std::string& target, int width, int height, const std::vector<ImageLayer>& layers);
+  Image (*read_exr)(const std::string& path);
+};
+
+}  // namespace isocast

@@ -1,0 +1,19 @@
+// Position, normal and value at the hits of a volume.
+#pragma once
+
+#include <isocast/ray/surface.h>
+#include <isocast/volume/volume_surface.h>
+
+namespace isocast {
+
+struct VolumeDressing {
+  const Volume& volume;
+  const Transform& grid_from_world;
+  std::uint16_t object;
+  NormalKind normals;
+};
+
+/// Surface::dress for a volume, in double precision.
+void dress_volume_hits(const VolumeDressing& dressing, const RayStream& rays, const HitStream& hits, const DressWishes& wishes, DressedHits& dressed);
+
+}  // namespace isocast

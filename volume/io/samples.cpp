@@ -1,0 +1,92 @@
+#include <isocast/base/progress.h>
+#include <isocast/volume/grid.h>
+#include <isocast/volume/io/byte_order.h>
+#include <isocast/volume/io/header_text.h>
+#include <isocast/volume/io/samples.h>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace isocast {
+namespace {
+
+std::string described(const Volume& volume) {
+  return fmt::format("{} x {} x {} samples of type {}", volume.dims[0], volume.dims[1], volume.dims[2], name_of(volume.type));
+}
+
+}  // namespace
+
+std::uint64_t checked_bytes(const Volume& volume, const std::filesystem::path& path) {
+  std::uint64_t bytes = size_of(volume.type);
+  for (const std::int64_t n : volume.dims) {
+    if (n < 1 || n > kMaxDim)
+      throw read_error(path, fmt::format("found {}, expected dimensions between 1 and {}", described(volume), kMaxDim));
+    if (__builtin_mul_overflow(bytes, static_cast<std::uint64_t>(n), &bytes) || bytes > INT64_MAX)
+      throw read_error(path, described(volume) + " are more than 64-bit sizes can count");
+  }
+  return bytes;
+}
+
+std::byte* allocate_samples(Volume& volume, const std::filesystem::path& path) {
+  const std::uint64_t bytes = checked_bytes(volume, path);
+  const std::uint64_t memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  std::byte* const samples = bytes < memory ? static_cast<std::byte*>(std::malloc(bytes)) : nullptr;
+  if (!samples)
+    throw read_error(path, fmt::format("{} need {} MB of memory, this machine has {} MB", described(volume), bytes / 1000000,
+                                       memory / 1000000));
+  volume.storage = std::shared_ptr<const void>(samples, [](const void* p) { std::free(const_cast<void*>(p)); });
+  volume.samples = samples;
+  volume.mapped = false;
+  return samples;
+}
+
+void place_samples(Volume& volume, const MappedFile& file, std::uint64_t offset, bool big_endian,
+                   const std::filesystem::path& path) {
+  const std::uint64_t bytes = checked_bytes(volume, path);
+  const std::uint64_t found = file.bytes.size() - std::min<std::uint64_t>(offset, file.bytes.size());
+  if (found < bytes) throw missing_samples(volume, found, path);
+  const std::span<const std::byte> stored = file.bytes.subspan(offset, bytes);
+  const std::size_t width = size_of(volume.type);
+
+  // pages start aligned, so the offset decides
+  if ((is_native(big_endian) || width == 1) && offset % width == 0) {
+    volume.storage = file.pages;
+    volume.samples = stored.data();
+    volume.mapped = true;
+  } else {
+    copy_to_native(stored, allocate_samples(volume, path), width, big_endian);
+  }
+}
+
+void inflate_samples(Volume& volume, Inflater& inflater, bool big_endian, const std::filesystem::path& path) {
+  const std::uint64_t bytes = checked_bytes(volume, path);
+  const std::uint64_t most = most_inflated_bytes(inflater.compressed_bytes());
+  if (bytes > most)
+    throw read_error(path, fmt::format("expected {} bytes for {}, the compressed data can hold at most {}", bytes,
+                                       described(volume), most));
+  const std::span<std::byte> samples(allocate_samples(volume, path), bytes);
+
+  // slab after slab
+  constexpr std::size_t kSlab = std::size_t(16) << 20;
+  Progress progress("inflating", static_cast<std::int64_t>(bytes));
+  for (std::size_t done = 0; done < bytes;) {
+    const std::span<std::byte> slab = samples.subspan(done, std::min(kSlab, samples.size() - done));
+    const std::size_t filled = inflater.read(slab);
+    done += filled;
+    if (filled < slab.size()) throw missing_samples(volume, done, path);
+    progress.add(static_cast<std::int64_t>(filled));
+  }
+
+  // one byte more makes zlib compare its checksum where the stream ends with the samples
+  inflater.skip(1);
+  copy_to_native(samples, samples.data(), size_of(volume.type), big_endian);
+}
+
+InputError missing_samples(const Volume& volume, std::uint64_t found, const std::filesystem::path& path) {
+  return read_error(path, fmt::format("expected {} bytes for {}, found {}", checked_bytes(volume, path), described(volume), found));
+}
+
+}  // namespace isocast

@@ -1,0 +1,27 @@
+// The min/max pyramid that lets the walk leap over blocks without the iso-value, whatever it is.
+#pragma once
+
+#include <isocast/volume/grid.h>
+#include <isocast/volume/volume.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace isocast {
+
+/// Blocks of 4^3 and 16^3 cells with the range of all samples of their cells (faces shared), in the volume's sample type (f16
+/// as float); NaN is left out. Built once, in parallel; serves every iso-value.
+class MacroCells {
+ public:
+  explicit MacroCells(const Volume& volume);
+
+  /// The levels as kernels see them, coarse first.
+  [[nodiscard]] const MacroLevel& level(int i) const { return levels_[i]; }
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  std::vector<std::byte> ranges_[kMacroLevels];
+  MacroLevel levels_[kMacroLevels];
+};
+
+}  // namespace isocast

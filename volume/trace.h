@@ -1,0 +1,184 @@
+// Sixteen rays at a time: each walks to its next active cell, then all cells are solved together.
+#pragma once
+
+#include <isocast/volume/cell/cell.h>
+#include <isocast/volume/cell/kernels.h>
+#include <isocast/volume/march.h>
+
+namespace isocast::inline ISO_ISA {
+
+extern const CellKernels cell_kernel_table;
+
+inline void solve_packet(const VolumeQuery& query, const CellPacket<float>& packet, RootPacket<float>& roots) {
+  cell_kernel_table.solve_float[int(query.method)](query.options, &packet, &roots, 1);
+}
+inline void solve_packet(const VolumeQuery& query, const CellPacket<double>& packet, RootPacket<double>& roots) {
+  cell_kernel_table.solve_double[int(query.method)](query.options, &packet, &roots, 1);
+}
+
+/// What a lane carries from cell to cell. Only in its first cell may the signs at the start be known (bits of `sides`, f is
+/// then not evaluated there): where the ray starts on this very surface, or goes on behind a hit. There roots are sought
+/// behind `begin`, and behind `begin_of_iso` for the iso-value that was hit.
+struct Lane {
+  GridRay ray;
+  GridWalk walk;
+  std::uint32_t active = 0, sides = 0;
+  double begin = 0, begin_of_iso = 0;
+  int iso_of_hit = -1;
+  bool carried = false;
+
+  void leave_first_cell() {
+    carried = false;
+    begin = 0;
+    iso_of_hit = -1;
+  }
+};
+
+/// Corners minus iso, chord and starting point of one lane's cell for one iso-value; false when a corner is not finite.
+template <class T, class S>
+inline bool fetch_cell(const TypedGrid<S>& grid, const Lane& lane, double iso, int iso_index, CellPacket<T>& packet, int l) {
+  S raw[8];
+  grid.load_corners(lane.walk.cell(), raw);
+  T finite = 0;
+  for (int k = 0; k < 8; ++k) {
+    packet.f[k][l] = corner_value<T>(raw[k], iso);
+    finite += packet.f[k][l] * T(0);
+  }
+  const LevelWalk& cell = lane.walk.level[kCells];
+  const int out = cell.axis_out();
+  T entry[3], exit[3];
+  point_in_cell(lane.ray, lane.walk, lane.walk.t_in, lane.walk.axis_in, false, entry);
+  point_in_cell(lane.ray, lane.walk, cell.t_next[out], out, true, exit);
+  for (int a = 0; a < 3; ++a) {
+    packet.entry[a][l] = entry[a];
+    packet.exit[a][l] = exit[a];
+  }
+  packet.begin[l] = T(iso_index == lane.iso_of_hit ? lane.begin_of_iso : lane.begin);
+  packet.carry[l] = lane.carried ? (lane.sides >> iso_index & 1 ? T(-0.0) : T(0)) : T(__builtin_nan(""));
+  return finite == T(0);
+}
+
+/// f at the entry of the lane's cell, as the intersectors see it.
+template <class T> inline T value_at_entry(const CellPacket<T>& packet, int l) {
+  T f[8];
+  for (int k = 0; k < 8; ++k) f[k] = packet.f[k][l];
+  return trilinear<T>(f, Vec3<T>{packet.entry[0][l], packet.entry[1][l], packet.entry[2][l]});
+}
+
+/// Sides of all iso-values in front of the hit of iso `hit_iso`; `behind`: f is negative behind it, `touched`: so it is in front.
+template <class T, class S>
+inline std::uint32_t sides_in_front(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane& lane, int hit_iso, bool behind, bool touched) {
+  std::uint32_t sides = std::uint32_t(behind == touched) << hit_iso;
+  CellPacket<T> cell;
+  for (int i = 0; i < query.iso_count; ++i) {
+    if (i == hit_iso) continue;
+    if (lane.carried) sides |= lane.sides & 1u << i;
+    else if (fetch_cell(grid, lane, query.iso[i], i, cell, 0)) sides |= std::uint32_t(negative(value_at_entry(cell, 0))) << i;
+  }
+  return sides;
+}
+
+/// The nearest root among the iso-values in each lane's cell.
+template <class T> struct Nearest {
+  T s[kPacketSize], s_lo[kPacketSize], s_hi[kPacketSize];
+  int iso[kPacketSize];
+  std::uint32_t hit = 0, undecided = 0, behind = 0;
+};
+template <class T, class S>
+inline Nearest<T> solve_cells(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane* lanes, std::uint32_t alive,
+                                     std::uint32_t* cost, CellPacket<T>& packet, RootPacket<T>& roots, TraceCounts& counts) {
+  Nearest<T> nearest;
+  for (int i = 0; i < query.iso_count; ++i) {
+    packet.active = 0;
+    for (std::uint32_t rest = alive; rest; rest &= rest - 1) {
+      const int l = __builtin_ctz(rest);
+      if (!(lanes[l].active >> i & 1) || !fetch_cell(grid, lanes[l], query.iso[i], i, packet, l)) continue;
+      packet.active |= 1u << l;
+      ++cost[l];
+      ++counts.solves;
+    }
+    if (packet.active == 0) continue;
+    solve_packet(query, packet, roots);
+
+    // exactly zero at the very start of a ray is a hit there; the side behind is the positive one
+    for (std::uint32_t rest = packet.active; rest; rest &= rest - 1) {
+      const int l = __builtin_ctz(rest);
+      if (lanes[l].walk.axis_in != GridWalk::kStart || lanes[l].carried || value_at_entry(packet, l) != T(0)) continue;
+      roots.s[l] = roots.s_lo[l] = roots.s_hi[l] = T(0);
+      roots.hit |= 1u << l;
+      roots.undecided |= 1u << l;
+      roots.sign &= ~(1u << l);
+    }
+    for (std::uint32_t rest = roots.hit; rest; rest &= rest - 1) {
+      const int l = __builtin_ctz(rest);
+      const std::uint32_t bit = 1u << l;
+      if ((nearest.hit & bit) && !(roots.s[l] < nearest.s[l])) continue;
+      nearest.s[l] = roots.s[l];
+      nearest.s_lo[l] = roots.s_lo[l];
+      nearest.s_hi[l] = roots.s_hi[l];
+      nearest.iso[l] = i;
+      nearest.hit |= bit;
+      nearest.undecided = (nearest.undecided & ~bit) | (roots.undecided & bit);
+      nearest.behind = (nearest.behind & ~bit) | (roots.sign & bit);
+    }
+  }
+  return nearest;
+}
+
+/// Writes the root of lane l into the hit of slot i, unless it lies behind the ray's end or a nearer hit.
+template <class T, class S>
+inline void record_hit(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane& lane, const Nearest<T>& nearest, int l,
+                       const RayStream& rays, HitStream& hits, int i) {
+  const double t_in = lane.walk.t_in, span = lane.walk.t_out() - t_in, t = t_in + double(nearest.s[l]) * span;
+  if (!(t <= rays.t_max[i] && t < hits.t[i])) return;
+  const bool undecided = nearest.undecided >> l & 1, behind = nearest.behind >> l & 1;
+  const std::int32_t(&c)[3] = lane.walk.cell();
+  hits.t[i] = t;
+  hits.t_lo[i] = t_in + double(nearest.s_lo[l]) * span;
+  hits.t_hi[i] = t_in + double(nearest.s_hi[l]) * span;
+  hits.s[i] = nearest.s[l];
+  hits.s_hi[i] = nearest.s_hi[l];
+  hits.cell[i] = (std::int64_t(c[2]) * query.grid.dims[1] + c[1]) * query.grid.dims[0] + c[0];
+  hits.iso[i] = std::uint8_t(nearest.iso[l]);
+  hits.object[i] = query.object;
+  hits.certificate[i] = undecided ? Certificate::undecided : Certificate::no_proof;
+  hits.sides[i] = sides_in_front<T>(query, grid, lane, nearest.iso[l], behind, undecided);
+}
+
+/// Traces the lanes of `alive` to their first root, or the end; `slot` is lane 0's place in the streams.
+template <class T, class S>
+inline void trace_packet(const VolumeQuery& query, const TypedGrid<S>& grid, const Shifts& shifts, Lane* lanes, std::uint32_t alive,
+                                const RayStream& rays, HitStream& hits, int slot, TraceCounts& counts) {
+  alignas(64) CellPacket<T> packet = {};
+  alignas(64) RootPacket<T> roots = {};
+  std::uint32_t cost[kPacketSize] = {};
+  const std::uint32_t all = alive;
+  bool tested = false;
+  for (; alive; tested = true) {
+    // every ray to its next active cell
+    for (std::uint32_t rest = alive; rest; rest &= rest - 1) {
+      const int l = __builtin_ctz(rest);
+      Lane& lane = lanes[l];
+      const std::int64_t before = counts.cells;
+      lane.active = march(grid, shifts, lane.ray, lane.walk, tested, counts);
+      if (lane.walk.moved) lane.leave_first_cell();
+      cost[l] += std::uint32_t(counts.cells - before);
+      if (!lane.active) alive &= ~(1u << l);
+    }
+    if (!alive) break;
+    const Nearest<T> nearest = solve_cells(query, grid, lanes, alive, cost, packet, roots, counts);
+
+    for (std::uint32_t rest = alive; rest; rest &= rest - 1) {
+      const int l = __builtin_ctz(rest), i = slot + l;
+      const std::uint32_t bit = 1u << l;
+      Lane& lane = lanes[l];
+      if (nearest.hit & bit) {
+        alive &= ~bit;
+        record_hit(query, grid, lane, nearest, l, rays, hits, i);
+      }
+    }
+  }
+  for (std::uint32_t rest = all; rest; rest &= rest - 1) hits.cost[slot + __builtin_ctz(rest)] += cost[__builtin_ctz(rest)];
+}
+
+}  // namespace isocast::inline ISO_ISA

@@ -1,0 +1,219 @@
+// The walk of one ray through a grid: blocks, smaller blocks, cells. Grid space: samples at the integers. Double precision.
+#pragma once
+
+#include <isocast/math/real.h>
+#include <isocast/volume/grid.h>
+
+namespace isocast::inline ISO_ISA {
+
+/// o + t d in grid space, and the grid's last sample per axis. The plane x_a = k is met at plane_t(a, k): one expression
+/// everywhere, so that a cell's exit and the next cell's entry have the same bits, whoever computes them. An axis with step 0
+/// is parallel: its planes are never met.
+struct GridRay {
+  double o[3], d[3], inverse[3], last[3];
+  std::int32_t step[3];
+
+  ISO_HD double plane_t(int a, double k) const { return (k - o[a]) * inverse[a]; }
+};
+
+/// A direction component whose reciprocal is not finite counts as parallel.
+ISO_HD inline GridRay make_grid_ray(const double (&o)[3], const double (&d)[3], const std::int32_t (&samples)[3]) {
+  GridRay ray;
+  for (int a = 0; a < 3; ++a) {
+    ray.o[a] = o[a];
+    ray.d[a] = d[a];
+    ray.inverse[a] = 1 / d[a];
+    ray.last[a] = double(samples[a] - 1);
+    const bool moves = abs(ray.inverse[a]) < __builtin_inf();
+    ray.step[a] = moves ? (d[a] < 0 ? -1 : 1) : 0;
+  }
+  return ray;
+}
+
+/// The walk's levels: the macrocell levels, then single cells.
+inline constexpr int kWalkLevels = kMacroLevels + 1;
+inline constexpr int kCells = kMacroLevels;
+
+/// Where the ray is on one level.
+///
+/// at      block (or cell) per axis; `end` is the first number outside the parent block, in the ray's direction
+/// plane   the plane through which it leaves, per axis, met at t_next (+inf on parallel axes)
+/// size    edge of a block in cells
+struct LevelWalk {
+  std::int32_t at[3], end[3];
+  double plane[3], t_next[3], size;
+
+  /// Axis of the next crossing: the smallest (t, axis).
+  ISO_HD int axis_out() const {
+    const int a = t_next[1] < t_next[0] ? 1 : 0;
+    return t_next[2] < t_next[a] ? 2 : a;
+  }
+};
+
+/// The state of a walk. Crossings of planes are ordered by (t, axis) and taken one at a time in this order on every level; the
+/// planes of a level are some of those of the next. So the cells that are visited, and their crossings, do not depend on the
+/// blocks that were leapt over.
+///
+/// t_in, axis_in  the last crossing; axis_in is kStart where the ray starts inside the grid
+/// t_end          end of the ray or of the grid
+/// depth          the level the walk is on; finer levels hold no meaning
+/// moved          false until the first crossing
+struct GridWalk {
+  static constexpr int kStart = 3;
+  LevelWalk level[kWalkLevels];
+  double t_in, t_end;
+  int axis_in, depth;
+  bool moved;
+
+  ISO_HD const std::int32_t (&cell() const)[3] { return level[kCells].at; }
+  ISO_HD double t_out() const { return level[kCells].t_next[level[kCells].axis_out()]; }
+};
+
+/// (t, a) comes before or at (t0, a0).
+ISO_HD inline bool crossed(double t, int a, double t0, int a0) { return t < t0 || (t == t0 && a <= a0); }
+
+/// Puts the walk into block b of a level along axis a, whose parent spans blocks lo...hi.
+ISO_HD inline void set_block(const GridRay& ray, LevelWalk& level, int a, std::int32_t b, std::int32_t lo, std::int32_t hi) {
+  level.at[a] = b;
+  level.end[a] = ray.step[a] < 0 ? lo - 1 : hi + 1;
+  level.plane[a] = min(double(b + (ray.step[a] > 0)) * level.size, ray.last[a]);
+  level.t_next[a] = ray.step[a] ? ray.plane_t(a, level.plane[a]) : __builtin_inf();
+}
+
+/// The block along axis a after all crossings up to (t_in, axis_in), searched in [lo, hi] from the rounded position.
+ISO_HD inline std::int32_t find_block(const GridRay& ray, const GridWalk& walk, const LevelWalk& level, int a, std::int32_t lo, std::int32_t hi) {
+  const double position = (ray.o[a] + (ray.step[a] ? walk.t_in * ray.d[a] : 0.0)) / level.size;
+  std::int32_t b = position > double(lo) ? (position < double(hi) ? std::int32_t(position) : hi) : lo;
+  const auto behind = [&](std::int32_t k) {
+    return crossed(ray.plane_t(a, min(double(k) * level.size, ray.last[a])), a, walk.t_in, walk.axis_in);
+  };
+  if (ray.step[a] > 0) {
+    while (b < hi && behind(b + 1)) ++b;
+    while (b > lo && !behind(b)) --b;
+  } else if (ray.step[a] < 0) {
+    while (b > lo && behind(b)) --b;
+    while (b < hi && !behind(b + 1)) ++b;
+  }
+  return b;
+}
+
+/// Enters the box of samples on the coarsest level, whose blocks have 2^shift cells; false when [t_min, t_max] of the ray
+/// misses it, or anything is NaN.
+ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, double t_min, double t_max, GridWalk& walk) {
+  walk.t_in = t_min;
+  walk.t_end = t_max;
+  walk.axis_in = GridWalk::kStart;
+  walk.depth = 0;
+  walk.moved = false;
+  for (int a = 0; a < 3; ++a) {
+    if (ray.step[a] == 0) {
+      if (!(ray.o[a] >= 0 && ray.o[a] <= ray.last[a])) return false;
+      continue;
+    }
+    const bool up = ray.step[a] > 0;
+    const double near = ray.plane_t(a, up ? 0 : ray.last[a]), far = ray.plane_t(a, up ? ray.last[a] : 0);
+    if (walk.axis_in == GridWalk::kStart ? near > walk.t_in : near >= walk.t_in) {
+      walk.t_in = near;
+      walk.axis_in = a;
+    }
+    walk.t_end = min(far, walk.t_end);
+  }
+  if (!(walk.t_in <= walk.t_end)) return false;
+  LevelWalk& level = walk.level[0];
+  level.size = double(1 << shift);
+  for (int a = 0; a < 3; ++a) {
+    const std::int32_t hi = (std::int32_t(ray.last[a]) - 1) >> shift;
+    set_block(ray, level, a, find_block(ray, walk, level, a, 0, hi), 0, hi);
+  }
+  return true;
+}
+
+/// Goes one level down, into the part of the current block where the ray is. Blocks of 2^shift cells become 2^finer.
+ISO_HD inline void descend(const GridRay& ray, std::int32_t shift, std::int32_t finer, GridWalk& walk) {
+  const LevelWalk& from = walk.level[walk.depth];
+  LevelWalk& to = walk.level[++walk.depth];
+  to.size = double(1 << finer);
+  for (int a = 0; a < 3; ++a) {
+    const std::int32_t lo = from.at[a] << (shift - finer), last = (std::int32_t(ray.last[a]) - 1) >> finer;
+    const std::int32_t full = lo + (1 << (shift - finer)) - 1, hi = full < last ? full : last;
+    const bool entered_here = a == walk.axis_in;
+    set_block(ray, to, a, entered_here ? (ray.step[a] > 0 ? lo : hi) : find_block(ray, walk, to, a, lo, hi), lo, hi);
+  }
+}
+
+/// Crosses the plane of axis a on one level; false when that leaves the parent.
+ISO_HD inline bool cross(const GridRay& ray, LevelWalk& level, int a) {
+  level.at[a] += ray.step[a];
+  level.plane[a] = min(level.plane[a] + double(ray.step[a]) * level.size, ray.last[a]);
+  level.t_next[a] = ray.plane_t(a, level.plane[a]);
+  return level.at[a] != level.end[a];
+}
+
+/// Takes crossings on the current level until test(at) holds (true), or the parent is left or the ray ends (false). `tested`:
+/// the current block is done with and crossed first.
+template <class Test> ISO_HD inline bool walk_level(const GridRay& ray, GridWalk& walk, bool tested, Test test) {
+  LevelWalk level = walk.level[walk.depth];  // in registers
+  bool found = !tested && test(level.at);
+  bool inside = true;
+  const auto take = [&](int a) {
+    walk.t_in = level.t_next[a];
+    walk.axis_in = a;
+    inside = cross(ray, level, a) && walk.t_in <= walk.t_end;
+  };
+  while (!found && inside) {
+    walk.moved = true;
+    if (level.t_next[0] <= level.t_next[1]) {
+      if (level.t_next[0] <= level.t_next[2]) take(0);
+      else take(2);
+    } else {
+      if (level.t_next[1] <= level.t_next[2]) take(1);
+      else take(2);
+    }
+    if (inside) found = test(level.at);
+  }
+  walk.level[walk.depth] = level;
+  return found;
+}
+
+/// After walk_level has left the current level: takes the same crossing on the coarser levels, to the first whose block it
+/// does not leave. False at the end of the ray or of the grid.
+ISO_HD inline bool ascend(const GridRay& ray, GridWalk& walk) {
+  if (!(walk.t_in <= walk.t_end)) return false;
+  while (walk.depth > 0)
+    if (cross(ray, walk.level[--walk.depth], walk.axis_in)) return true;
+  return false;
+}
+
+/// The state inside a given cell that the ray is known to cross: what the walk from the start would have made of it.
+ISO_HD inline void resume_in_cell(const GridRay& ray, const std::int32_t (&shifts)[kWalkLevels], const std::int32_t (&cell)[3],
+                                  double t_min, GridWalk& walk) {
+  walk.t_in = t_min;
+  walk.axis_in = GridWalk::kStart;
+  walk.depth = kCells;
+  walk.moved = false;
+  for (int a = 0; a < 3; ++a) {
+    for (int l = 0; l < kWalkLevels; ++l) {
+      LevelWalk& level = walk.level[l];
+      level.size = double(1 << shifts[l]);
+      const std::int32_t last = (std::int32_t(ray.last[a]) - 1) >> shifts[l], up = l > 0 ? shifts[l - 1] - shifts[l] : 0;
+      const std::int32_t b = cell[a] >> shifts[l], lo = l > 0 ? b >> up << up : 0, full = lo + (1 << up) - 1;
+      set_block(ray, level, a, b, lo, l > 0 && full < last ? full : last);
+    }
+    if (ray.step[a] == 0) continue;
+    const double t_entry = ray.plane_t(a, double(cell[a] + (ray.step[a] < 0)));
+    if (walk.axis_in == GridWalk::kStart ? t_entry > walk.t_in : t_entry >= walk.t_in) {
+      walk.t_in = t_entry;
+      walk.axis_in = a;
+    }
+  }
+}
+
+/// The ray's point at t in the current cell's own coordinates, in [0,1]; on the face of `axis` (crossed at this t, entry or
+/// exit) the coordinate is exactly 0 or 1. Both cells of a face give the same bits for the other two.
+template <ScalarReal T>
+ISO_HD inline void point_in_cell(const GridRay& ray, const GridWalk& walk, double t, int axis, bool exit, T (&p)[3]) {
+  for (int a = 0; a < 3; ++a) p[a] = T(clamp01((ray.o[a] - double(walk.cell()[a])) + t * ray.d[a]));
+  if (axis < 3) p[axis] = T((ray.step[axis] > 0) == exit ? 1 : 0);
+}
+
+}  // namespace isocast::inline ISO_ISA

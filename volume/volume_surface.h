@@ -1,0 +1,59 @@
+// The iso-surfaces of one volume, as the renderer sees them.
+#pragma once
+
+#include <isocast/isa/cpu.h>
+#include <isocast/ray/surface.h>
+#include <isocast/volume/kernels.h>
+#include <isocast/volume/macrocells.h>
+#include <isocast/volume/methods.h>
+#include <isocast/volume/volume.h>
+
+#include <memory>
+#include <vector>
+
+namespace isocast {
+
+enum class NormalKind : std::uint8_t { gradient, difference };
+
+/// iso       1 to kMaxIsos values in the user's units (slope and intercept of the file)
+/// normals   gradient: of the trilinear interpolant in the hit cell, exact and discontinuous across faces;
+///           difference: central differences at the samples, interpolated, smooth
+/// object    number of the object in its scene
+struct VolumeSurfaceOptions {
+  std::vector<double> iso;
+  CellMethodChoice method;
+  bool double_precision = false;
+  Isa isa = Isa::scalar;
+  NormalKind normals = NormalKind::gradient;
+  std::uint16_t object = 0;
+};
+
+/// Holds the samples and their macrocells; options may change without rebuilding anything.
+class VolumeSurface final : public Surface {
+ public:
+  /// Throws InputError when the volume has fewer than two samples along an axis, or options cannot be used.
+  VolumeSurface(std::shared_ptr<const Volume> volume, const VolumeSurfaceOptions& options);
+
+  void set_options(const VolumeSurfaceOptions& options);
+  [[nodiscard]] const MacroCells& macrocells() const { return macrocells_; }
+
+  [[nodiscard]] Box bounds() const override { return bounds_; }
+  void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
+  void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
+  void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes, DressedHits& dressed) const override;
+
+ private:
+  std::shared_ptr<const Volume> volume_;
+  MacroCells macrocells_;
+  Transform grid_from_world_;
+  Box bounds_;
+  VolumeQuery query_ = {};
+  const VolumeKernels* kernels_;
+  NormalKind normals_;
+};
+
+/// The threshold of an iso-value in stored units: a sample s lies below it (s < key) exactly where the corner value that
+/// precision `T` computes, s minus iso, is negative (volume/sample.h).
+[[nodiscard]] double iso_key(SampleType type, double iso, bool double_precision);
+
+}  // namespace isocast
