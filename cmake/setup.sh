@@ -1,7 +1,7 @@
-# Sourced by demo and check: installs the packages that are missing, configures and builds; quiet unless something fails.
+# Sourced by demo and check: installs missing packages, configures and builds; quiet unless something fails.
 
-isocast_packages=(g++ cmake ninja-build ccache libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev libsleef-dev
-  libopenimageio-dev libnifti2-dev libpugixml-dev zlib1g-dev catch2 libgmp-dev libmpfr-dev)
+isocast_packages=(g++ cmake ninja-build ccache libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+  libsleef-dev libopenimageio-dev libnifti2-dev libpugixml-dev zlib1g-dev catch2 libgmp-dev libmpfr-dev)
 
 # Runs a command; shows what it printed only when it fails.
 quietly() {
@@ -26,15 +26,15 @@ install_packages() {
   mapfile -t missing < <(missing_packages)
   ((${#missing[@]})) || return 0
   if ! command -v apt-get >/dev/null || { ((EUID)) && ! command -v sudo >/dev/null; }; then
-    echo "isocast: these packages are missing, and installing them takes Debian's apt-get as root or with sudo:" \
+    echo "isocast: packages are missing that only Debian's apt-get as root or with sudo can install:" \
       "${missing[*]}" >&2
     exit 2
   fi
   ((EUID)) && as_root=(sudo)
   echo "Installing ${missing[*]}"
   # an update that fails for one foreign source does not matter when the installation succeeds
-  quietly "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c \
-    'apt-get update; exec apt-get install -y --no-install-recommends -o DPkg::Lock::Timeout=300 "$@"' sh "${missing[@]}"
+  local script="apt-get update; apt-get install -y --no-install-recommends -o DPkg::Lock::Timeout=300"
+  quietly "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c "$script ${missing[*]}"
 }
 
 # One job a core, as long as each has 1.5 GB of memory.
@@ -46,7 +46,8 @@ job_count() {
   echo $((jobs < 1 ? 1 : jobs < cores ? jobs : cores))
 }
 
-# build PRESET FOLDER [TARGET...]: everything without targets; configures only when that was never done or the presets changed.
+# build PRESET FOLDER [TARGET...]: everything without targets; configures only the first time and after a
+# change of the presets.
 build() {
   local preset=$1 folder=$2 targets=()
   shift 2

@@ -11,7 +11,8 @@ namespace isocast::test {
 
 inline auto says(const std::string& text) {
   return Catch::Predicate<InputError>(
-      [=](const InputError& error) { return std::string(error.what()).find(text) != std::string::npos; }, "says: " + text);
+      [=](const InputError& error) { return std::string(error.what()).find(text) != std::string::npos; },
+      "says: " + text);
 }
 
 }  // namespace isocast::test

@@ -1,5 +1,6 @@
 #include <isocast/volume/methods.h>
 
+#include <algorithm>
 #include <string>
 
 namespace isocast {
@@ -42,7 +43,8 @@ std::span<const Method> volume_methods() { return kMethods; }
 
 CellMethodChoice choose_cell_method(std::string_view name, std::map<std::string, std::string> settings) {
   const Method& method = find_method(kMethods, name == "auto" ? "marmitt" : name);
-  if (settings.contains("iterations")) settings.emplace("adaptive", std::string(1, '0'));
+  const bool has_adaptive = std::ranges::any_of(method.options, [](const MethodOption& o) { return o.name == "adaptive"; });
+  if (has_adaptive && settings.contains("iterations")) settings.emplace("adaptive", std::string(1, '0'));
   const std::map<std::string, double> values = resolve_options(method, settings);
   const auto value = [&](const char* key, double otherwise) {
     const auto found = values.find(key);

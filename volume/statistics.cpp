@@ -15,7 +15,8 @@ namespace isocast {
 namespace {
 
 // Calls visit(first sample, count) for slabs of the volume, in parallel.
-template <class S, class Visit> void for_each_slab(const Volume& volume, Progress& progress, const Visit& visit) {
+template <class S, class Visit>
+void for_each_slab(const Volume& volume, Progress& progress, const Visit& visit) {
   constexpr std::int64_t kSlab = std::int64_t(1) << 20;
   const S* const samples = reinterpret_cast<const S*>(volume.samples);
   const oneapi::tbb::blocked_range<std::int64_t> all(0, volume.count(), kSlab);
@@ -32,7 +33,8 @@ struct StoredRange {
   std::int64_t nan_count = 0, infinite_count = 0;
 };
 
-template <class S> StoredRange range_of(const Volume& volume, Progress& progress) {
+template <class S>
+StoredRange range_of(const Volume& volume, Progress& progress) {
   using A = typename SampleTraits<S>::Arithmetic;
   oneapi::tbb::enumerable_thread_specific<StoredRange> partial;
   for_each_slab<S>(volume, progress, [&](const S* samples, std::int64_t count) {
@@ -65,8 +67,8 @@ template <class S> StoredRange range_of(const Volume& volume, Progress& progress
   return total;
 }
 
-// Counts in many bins between lo and hi (lo < hi), in stored units: one bin a value where these are few integers, each at
-// position bin / (bins - 1) of the range; else equal intervals, at their centres.
+// Counts in many bins between lo and hi (lo < hi), in stored units: one bin a value where these are few
+// integers, each at position bin / (bins - 1) of the range; else equal intervals, at their centres.
 struct FineHistogram {
   static constexpr std::size_t kMostBins = 65536;
   double lo = 0, hi = 0;
@@ -74,14 +76,16 @@ struct FineHistogram {
   std::vector<std::int64_t> counts;
 
   [[nodiscard]] double position(std::size_t bin) const {
-    return one_bin_a_value ? double(bin) / double(counts.size() - 1) : (double(bin) + 0.5) / double(counts.size());
+    return one_bin_a_value ? double(bin) / double(counts.size() - 1)
+                           : (double(bin) + 0.5) / double(counts.size());
   }
   [[nodiscard]] double value(std::size_t bin) const {
     return one_bin_a_value ? lo + double(bin) : (1 - position(bin)) * lo + position(bin) * hi;
   }
 };
 
-template <class S> FineHistogram fine_histogram(const Volume& volume, double lo, double hi, Progress& progress) {
+template <class S>
+FineHistogram fine_histogram(const Volume& volume, double lo, double hi, Progress& progress) {
   using A = typename SampleTraits<S>::Arithmetic;
   FineHistogram fine;
   fine.lo = lo;
@@ -93,7 +97,8 @@ template <class S> FineHistogram fine_histogram(const Volume& volume, double lo,
   const double unit = std::isfinite(hi - lo) ? 1 : 0.5, start = lo * unit, width = hi * unit - start;
   const double scale = fine.one_bin_a_value ? 1 : double(bins) / width;
   const bool scalable = std::isfinite(scale);
-  oneapi::tbb::enumerable_thread_specific<std::vector<std::int64_t>> partial([&] { return std::vector<std::int64_t>(bins); });
+  oneapi::tbb::enumerable_thread_specific<std::vector<std::int64_t>> partial(
+      [&] { return std::vector<std::int64_t>(bins); });
   for_each_slab<S>(volume, progress, [&](const S* samples, std::int64_t count) {
     std::vector<std::int64_t>& counts = partial.local();
     for (std::int64_t i = 0; i < count; ++i) {
@@ -113,7 +118,9 @@ template <class S> FineHistogram fine_histogram(const Volume& volume, double lo,
 std::size_t percentile_bin(const std::vector<std::int64_t>& counts, std::int64_t total, double percent) {
   const double wanted = std::max(1.0, std::ceil(percent / 100 * double(total)));
   std::size_t bin = 0;
-  for (std::int64_t below = counts[0]; double(below) < wanted && bin + 1 < counts.size(); below += counts[bin]) ++bin;
+  for (std::int64_t below = counts[0]; double(below) < wanted && bin + 1 < counts.size();
+       below += counts[bin])
+    ++bin;
   return bin;
 }
 
@@ -121,13 +128,14 @@ std::vector<double> suggest(const VolumeStatistics& s) {
   if (s.finite_count == 0) return {};
   if (!(s.min < s.max)) return {s.min};
   std::vector<double> isos;
-  const double apart = s.max / 64 - s.min / 64;
-  const auto add = [&](double iso) {
-    const bool near = std::ranges::any_of(isos, [&](double other) { return std::abs(iso - other) < apart; });
-    if (iso > s.min && iso < s.max && !near) isos.push_back(iso);
-  };
-  add(otsu_threshold(s.histogram));
-  for (const int p : {6, 5, 7, 4, 3}) add(s.percentiles[p].value);
+  const double otsu = otsu_threshold(s.histogram), apart = s.max / 64 - s.min / 64;
+  if (otsu > s.min && otsu < s.max) isos.push_back(otsu);
+  for (const int p : {6, 5, 7, 4, 3}) {
+    const double iso = s.percentiles[p].value;
+    const auto near = [&](double other) { return std::abs(iso - other) < apart; };
+    const bool inside = iso > s.min && iso < s.max && !near(s.min) && !near(s.max);
+    if (inside && std::ranges::none_of(isos, near)) isos.push_back(iso);
+  }
   return isos;
 }
 
@@ -161,13 +169,15 @@ VolumeStatistics statistics_of(const Volume& volume) {
   }
 
   // the distribution, with the bins in the order of the users' values
-  FineHistogram fine = visit_sample_type(
-      volume.type, [&]<class S>(SampleTag<S>) { return fine_histogram<S>(volume, range.lo, range.hi, progress); });
+  FineHistogram fine = visit_sample_type(volume.type, [&]<class S>(SampleTag<S>) {
+    return fine_histogram<S>(volume, range.lo, range.hi, progress);
+  });
   const std::size_t bins = fine.counts.size();
   const bool reversed = volume.slope < 0;
   if (reversed) std::ranges::reverse(fine.counts);
   for (std::size_t b = 0; b < bins; ++b)
-    s.histogram.counts[std::min(int(fine.position(b) * Histogram::kBins), Histogram::kBins - 1)] += fine.counts[b];
+    s.histogram.counts[std::min(int(fine.position(b) * Histogram::kBins), Histogram::kBins - 1)] +=
+        fine.counts[b];
   for (Percentile& p : s.percentiles) {
     const std::size_t bin = percentile_bin(fine.counts, s.finite_count, p.percent);
     p.value = scaled(fine.value(reversed ? bins - 1 - bin : bin));

@@ -20,14 +20,16 @@ struct Percentile {
   double percent, value;
 };
 
-/// All values in the users' units (slope and intercept). NaN and infinite samples are counted and otherwise left out.
+/// All values in the users' units (slope and intercept). NaN and infinite samples are counted and otherwise
+/// left out.
 ///
 /// min, max       of the finite values; both 0 when there are none
-/// percentiles    0.1 1 5 25 50 75 95 99 99.9: the smallest value with so many percent of the values at or below it;
-///                exact for integers of less than 65536 different values, else within 1/65536 of the range
-/// suggested_iso  best first, each strictly between min and max: Otsu's threshold of the histogram, then the percentiles 95, 75,
-///                99, 50 and 25 that differ from those before by 1/64 of the range; of a constant volume the constant; empty
-///                without finite values, or where no number lies between min and max
+/// percentiles    0.1 1 5 25 50 75 95 99 99.9: the smallest value with so many percent of the values at or
+///                below it; exact for integers whose range is below 65536, else within 1/65536 of the range
+/// suggested_iso  best first, each strictly between min and max: Otsu's threshold of the histogram, then those
+///                of the percentiles 95, 75, 99, 50 and 25 that differ from min, max and all before by 1/64 of
+///                the range; of a constant volume the constant; empty without finite values, or where no
+///                number lies between min and max
 struct VolumeStatistics {
   std::int64_t finite_count = 0, nan_count = 0, infinite_count = 0;
   double min = 0, max = 0;
@@ -39,8 +41,8 @@ struct VolumeStatistics {
 /// Reads the samples twice where they are, in parallel; the result does not depend on the number of threads.
 [[nodiscard]] VolumeStatistics statistics_of(const Volume& volume);
 
-/// The edge of a histogram's bin that parts its values into the two most distinct classes, the middle of such edges if
-/// neighbours are equally good.
+/// The edge of a histogram's bin that parts its values into the two most distinct classes, the middle of such
+/// edges if neighbours are equally good.
 ///
 /// source  Otsu: A threshold selection method from gray-level histograms, IEEE Trans. SMC 9(1), 1979
 [[nodiscard]] double otsu_threshold(const Histogram& histogram);

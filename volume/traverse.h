@@ -38,10 +38,10 @@ inline constexpr int kCells = kMacroLevels;
 ///
 /// at      block (or cell) per axis; `end` is the first number outside the parent block, in the ray's direction
 /// plane   the plane through which it leaves, per axis, met at t_next (+inf on parallel axes)
-/// size    edge of a block in cells
+/// size    edge of a block in cells, a power of two, and its inverse
 struct LevelWalk {
   std::int32_t at[3], end[3];
-  double plane[3], t_next[3], size;
+  double plane[3], t_next[3], size, per_size;
 
   /// Axis of the next crossing: the smallest (t, axis).
   ISO_HD int axis_out() const {
@@ -72,6 +72,11 @@ struct GridWalk {
 /// (t, a) comes before or at (t0, a0).
 ISO_HD inline bool crossed(double t, int a, double t0, int a0) { return t < t0 || (t == t0 && a <= a0); }
 
+ISO_HD inline void set_size(LevelWalk& level, std::int32_t shift) {
+  level.size = double(1 << shift);
+  level.per_size = 1 / level.size;
+}
+
 /// Puts the walk into block b of a level along axis a, whose parent spans blocks lo...hi.
 ISO_HD inline void set_block(const GridRay& ray, LevelWalk& level, int a, std::int32_t b, std::int32_t lo, std::int32_t hi) {
   level.at[a] = b;
@@ -82,7 +87,7 @@ ISO_HD inline void set_block(const GridRay& ray, LevelWalk& level, int a, std::i
 
 /// The block along axis a after all crossings up to (t_in, axis_in), searched in [lo, hi] from the rounded position.
 ISO_HD inline std::int32_t find_block(const GridRay& ray, const GridWalk& walk, const LevelWalk& level, int a, std::int32_t lo, std::int32_t hi) {
-  const double position = (ray.o[a] + (ray.step[a] ? walk.t_in * ray.d[a] : 0.0)) / level.size;
+  const double position = (ray.o[a] + (ray.step[a] ? walk.t_in * ray.d[a] : 0.0)) * level.per_size;
   std::int32_t b = position > double(lo) ? (position < double(hi) ? std::int32_t(position) : hi) : lo;
   const auto behind = [&](std::int32_t k) {
     return crossed(ray.plane_t(a, min(double(k) * level.size, ray.last[a])), a, walk.t_in, walk.axis_in);
@@ -93,6 +98,8 @@ ISO_HD inline std::int32_t find_block(const GridRay& ray, const GridWalk& walk, 
   } else if (ray.step[a] < 0) {
     while (b > lo && behind(b)) --b;
     while (b < hi && !behind(b + 1)) ++b;
+  } else if (ray.d[a] < 0 && b > lo && double(b) * level.size >= ray.o[a]) {
+    --b;  // parallel for all that doubles can tell, but below the plane it starts on
   }
   return b;
 }
@@ -101,13 +108,13 @@ ISO_HD inline std::int32_t find_block(const GridRay& ray, const GridWalk& walk, 
 /// misses it, or anything is NaN.
 ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, double t_min, double t_max, GridWalk& walk) {
   walk.t_in = t_min;
-  walk.t_end = t_max;
+  walk.t_end = min(t_max, __DBL_MAX__);  // planes that are never met, at +inf, lie behind the end
   walk.axis_in = GridWalk::kStart;
   walk.depth = 0;
   walk.moved = false;
   for (int a = 0; a < 3; ++a) {
     if (ray.step[a] == 0) {
-      if (!(ray.o[a] >= 0 && ray.o[a] <= ray.last[a])) return false;
+      if (!(ray.o[a] >= 0 && ray.o[a] <= ray.last[a] && ray.d[a] == ray.d[a])) return false;
       continue;
     }
     const bool up = ray.step[a] > 0;
@@ -116,11 +123,11 @@ ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, double t_m
       walk.t_in = near;
       walk.axis_in = a;
     }
-    walk.t_end = min(far, walk.t_end);
+    walk.t_end = min(walk.t_end, far);
   }
-  if (!(walk.t_in <= walk.t_end)) return false;
+  if (!(walk.t_in <= walk.t_end && walk.t_in < __builtin_inf())) return false;
   LevelWalk& level = walk.level[0];
-  level.size = double(1 << shift);
+  set_size(level, shift);
   for (int a = 0; a < 3; ++a) {
     const std::int32_t hi = (std::int32_t(ray.last[a]) - 1) >> shift;
     set_block(ray, level, a, find_block(ray, walk, level, a, 0, hi), 0, hi);
@@ -132,7 +139,7 @@ ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, double t_m
 ISO_HD inline void descend(const GridRay& ray, std::int32_t shift, std::int32_t finer, GridWalk& walk) {
   const LevelWalk& from = walk.level[walk.depth];
   LevelWalk& to = walk.level[++walk.depth];
-  to.size = double(1 << finer);
+  set_size(to, finer);
   for (int a = 0; a < 3; ++a) {
     const std::int32_t lo = from.at[a] << (shift - finer), last = (std::int32_t(ray.last[a]) - 1) >> finer;
     const std::int32_t full = lo + (1 << (shift - finer)) - 1, hi = full < last ? full : last;
@@ -152,7 +159,7 @@ ISO_HD inline bool cross(const GridRay& ray, LevelWalk& level, int a) {
 /// Takes crossings on the current level until test(at) holds (true), or the parent is left or the ray ends (false). `tested`:
 /// the current block is done with and crossed first.
 template <class Test> ISO_HD inline bool walk_level(const GridRay& ray, GridWalk& walk, bool tested, Test test) {
-  LevelWalk level = walk.level[walk.depth];  // in registers
+  LevelWalk& level = walk.level[walk.depth];
   bool found = !tested && test(level.at);
   bool inside = true;
   const auto take = [&](int a) {
@@ -171,7 +178,6 @@ template <class Test> ISO_HD inline bool walk_level(const GridRay& ray, GridWalk
     }
     if (inside) found = test(level.at);
   }
-  walk.level[walk.depth] = level;
   return found;
 }
 
@@ -194,7 +200,7 @@ ISO_HD inline void resume_in_cell(const GridRay& ray, const std::int32_t (&shift
   for (int a = 0; a < 3; ++a) {
     for (int l = 0; l < kWalkLevels; ++l) {
       LevelWalk& level = walk.level[l];
-      level.size = double(1 << shifts[l]);
+      set_size(level, shifts[l]);
       const std::int32_t last = (std::int32_t(ray.last[a]) - 1) >> shifts[l], up = l > 0 ? shifts[l - 1] - shifts[l] : 0;
       const std::int32_t b = cell[a] >> shifts[l], lo = l > 0 ? b >> up << up : 0, full = lo + (1 << up) - 1;
       set_block(ray, level, a, b, lo, l > 0 && full < last ? full : last);

@@ -73,10 +73,11 @@ void smooth_corners(Random& random, double bend, CellChord& chord) {
   }
 }
 
-// Along the diagonal from corner `from` the cubic's Bernstein coefficient k is the mean of the corners k steps away. What
-// the corners differ by among themselves drops out.
+// Along the diagonal from corner `from` the cubic's Bernstein coefficient k is the mean of the corners k
+// steps away. What the corners differ by among themselves drops out.
 void corners_from_bernstein(Random& random, int from, const double (&c)[4], CellChord& chord) {
-  const double spread = random.below(2) ? 0.25 * std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2]), std::abs(c[3])}) : 0;
+  const double spread =
+      random.below(2) ? 0.25 * std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2]), std::abs(c[3])}) : 0;
   for (int i = 0; i < 8; ++i) chord.f[i] = c[std::popcount(static_cast<unsigned>(i ^ from))];
   chord.f[from ^ 1] += spread;
   chord.f[from ^ 2] -= spread;
@@ -114,7 +115,8 @@ void quadratic(Random& random, std::uint64_t, CellChord& chord) {
 void affine(Random& random, std::uint64_t, CellChord& chord) {
   random_chord(random, chord);
   const double base = coarse(random), slope[3] = {coarse(random), coarse(random), coarse(random)};
-  for (int i = 0; i < 8; ++i) chord.f[i] = base + (i & 1) * slope[0] + (i >> 1 & 1) * slope[1] + (i >> 2) * slope[2];
+  for (int i = 0; i < 8; ++i)
+    chord.f[i] = base + (i & 1) * slope[0] + (i >> 1 & 1) * slope[1] + (i >> 2) * slope[2];
 }
 void constant(Random& random, std::uint64_t index, CellChord& chord) {
   random_chord(random, chord);
@@ -129,7 +131,8 @@ void triple_root(Random& random, std::uint64_t, CellChord& chord) {
   prescribe_roots(random, r, r, r, any_scale(random), chord);
 }
 void root_at_end(Random& random, std::uint64_t, CellChord& chord) {
-  prescribe_roots(random, random.below(2), random.uniform(-0.5, 1.5), random.uniform(-0.5, 1.5), any_scale(random), chord);
+  prescribe_roots(random, random.below(2), random.uniform(-0.5, 1.5), random.uniform(-0.5, 1.5),
+                  any_scale(random), chord);
 }
 // few bits in every number: three times the sixteenth's cube is still exact
 void root_at_extremum(Random& random, std::uint64_t, CellChord& chord) {
@@ -138,7 +141,8 @@ void root_at_extremum(Random& random, std::uint64_t, CellChord& chord) {
 }
 void close_roots(Random& random, std::uint64_t, CellChord& chord) {
   const double gap = std::pow(10, random.uniform(-8, -1)), middle = random.uniform();
-  prescribe_roots(random, middle - gap / 2, middle + gap / 2, random.uniform(-1, 2), any_scale(random), chord);
+  prescribe_roots(random, middle - gap / 2, middle + gap / 2, random.uniform(-1, 2), any_scale(random),
+                  chord);
 }
 void mixed_scales(Random& random, std::uint64_t, CellChord& chord) {
   random_chord(random, chord);
@@ -166,11 +170,13 @@ void thin(Random& random, std::uint64_t, CellChord& chord) {
   }
 }
 
-// Corners 0 and 1, iso 0.5: `ones` has a bit for each corner inside. The paper names neither its seven configurations nor its
-// directions; these are the topologies of marching cubes with up to four corners, seen over a 256 x 256 grid of entries.
+// Corners 0 and 1, iso 0.5: `ones` has a bit for each corner inside. The paper names neither its seven
+// configurations nor its directions; these are the topologies of marching cubes with up to four corners, seen
+// over a 256 x 256 grid of entries.
 template <unsigned ones> void marching_cubes(Random& random, std::uint64_t index, CellChord& chord) {
   random_chord(random, chord);
-  const int face = std::find_if(chord.entry, chord.entry + 3, [](double x) { return x == 0 || x == 1; }) - chord.entry;
+  const int face =
+      std::find_if(chord.entry, chord.entry + 3, [](double x) { return x == 0 || x == 1; }) - chord.entry;
   chord.entry[(face + 1) % 3] = (static_cast<double>(index % 256) + 0.5) / 256;
   chord.entry[(face + 2) % 3] = (static_cast<double>(index / 256 % 256) + 0.5) / 256;
   for (int i = 0; i < 8; ++i) chord.f[i] = ones >> i & 1 ? 0.5 : -0.5;
@@ -204,15 +210,17 @@ constexpr CellFamily kFamilies[] = {
 std::span<const CellFamily> cell_families() { return kFamilies; }
 
 const CellFamily& cell_family(std::string_view name) {
-  const auto found = std::find_if(std::begin(kFamilies), std::end(kFamilies), [&](const CellFamily& f) { return f.name == name; });
+  const auto found = std::find_if(std::begin(kFamilies), std::end(kFamilies),
+                                  [&](const CellFamily& f) { return f.name == name; });
   if (found != std::end(kFamilies)) return *found;
   std::string names;
-  for (const CellFamily& family : kFamilies) names += fmt::format("{}{}", names.empty() ? "" : ", ", family.name);
+  for (const CellFamily& family : kFamilies)
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", family.name);
   throw InputError(fmt::format("cell family '{}' is unknown; expected one of {}", name, names));
 }
 
-std::vector<CellChord> make_cells(const CellFamily& family, std::uint64_t seed, std::uint64_t first, std::uint64_t count,
-                                  Rounding rounding) {
+std::vector<CellChord> make_cells(const CellFamily& family, std::uint64_t seed, std::uint64_t first,
+                                  std::uint64_t count, Rounding rounding) {
   std::vector<CellChord> cells(count);
   for (std::uint64_t n = 0; n < count; ++n) {
     CellChord& cell = cells[n];

@@ -13,7 +13,8 @@ namespace isocast::bench {
 
 class Random;
 
-/// `make` fills corner values (minus iso), entry and exit; `index` only matters where the cells are the rays of a picture.
+/// `make` fills corner values (minus iso), entry and exit; `index` only matters where the cells are the rays
+/// of a picture.
 struct CellFamily {
   std::string_view name, meaning;
   void (*make)(Random& random, std::uint64_t index, reference::CellChord& chord);
@@ -28,13 +29,16 @@ inline constexpr std::uint64_t kPictureRays = 256 * 256;
 
 enum class Rounding { to_float, none };
 
-/// Cells first ... first + count - 1 of a family, a pure function of its arguments. Rounded to float, every number is the
-/// same in both precisions; where the rounding moves a prescribed root, the reference is right and the prescription is not.
-[[nodiscard]] std::vector<reference::CellChord> make_cells(const CellFamily& family, std::uint64_t seed, std::uint64_t first,
-                                                           std::uint64_t count, Rounding rounding);
+/// Cells first ... first + count - 1 of a family, a pure function of its arguments. Rounded to float, every
+/// number is the same in both precisions; where the rounding moves a prescribed root, the reference is right
+/// and the prescription is not.
+[[nodiscard]] std::vector<reference::CellChord> make_cells(const CellFamily& family, std::uint64_t seed,
+                                                           std::uint64_t first, std::uint64_t count,
+                                                           Rounding rounding);
 
 /// Whole chords, nothing carried; the last packet's unused lanes are inactive.
-template <class T> [[nodiscard]] std::vector<CellPacket<T>> packets_of(std::span<const reference::CellChord> chords) {
+template <class T>
+[[nodiscard]] std::vector<CellPacket<T>> packets_of(std::span<const reference::CellChord> chords) {
   std::vector<CellPacket<T>> packets((chords.size() + kPacketSize - 1) / kPacketSize);
   for (std::size_t n = 0; n < chords.size(); ++n) {
     CellPacket<T>& packet = packets[n / kPacketSize];

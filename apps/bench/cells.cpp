@@ -24,7 +24,8 @@ using reference::CellChord;
 using reference::CellReference;
 
 constexpr std::uint64_t kSeed = 1;
-constexpr std::string_view kQuickFamilies[] = {"random", "smooth", "double-root", "close-roots", "thin", "mc-2-face"};
+constexpr std::string_view kQuickFamilies[] = {"random",      "smooth", "double-root",
+                                               "close-roots", "thin",   "mc-2-face"};
 
 // A method with some of its options, as --set takes them.
 struct Setting {
@@ -35,7 +36,8 @@ struct Setting {
 std::vector<Setting> settings() {
   std::vector<Setting> all;
   const auto add = [&](const std::string& method, const std::string& key, const std::string& value) {
-    const std::map<std::string, std::string> set = key.empty() ? decltype(set){} : decltype(set){{key, value}};
+    const std::map<std::string, std::string> set =
+        key.empty() ? decltype(set){} : decltype(set){{key, value}};
     all.push_back({method, key.empty() ? "" : key + "=" + value, choose_cell_method(method, set)});
   };
   add("midpoint", "", "");
@@ -84,7 +86,8 @@ double angle_in_degrees(const Vector& a, const Vector& b) {
 }
 
 double chord_length(const CellChord& chord) {
-  return std::hypot(chord.exit[0] - chord.entry[0], chord.exit[1] - chord.entry[1], chord.exit[2] - chord.entry[2]);
+  return std::hypot(chord.exit[0] - chord.entry[0], chord.exit[1] - chord.entry[1],
+                    chord.exit[2] - chord.entry[2]);
 }
 
 // The columns that hold errors.
@@ -105,7 +108,8 @@ template <class T> void judge_all(const Case& cells, const std::vector<RootPacke
     normal_errors.push_back(angle_in_degrees(gradient(chord, answer.s), gradient(chord, truth)));
   }
   if (!t_errors.empty())
-    row.t_error_mean = std::accumulate(t_errors.begin(), t_errors.end(), 0.0) / static_cast<double>(t_errors.size());
+    row.t_error_mean =
+        std::accumulate(t_errors.begin(), t_errors.end(), 0.0) / static_cast<double>(t_errors.size());
   row.t_error_p50 = quantile(t_errors, 0.5);
   row.t_error_p99 = quantile(t_errors, 0.99);
   row.t_error_max = quantile(t_errors, 1);
@@ -113,9 +117,11 @@ template <class T> void judge_all(const Case& cells, const std::vector<RootPacke
   row.normal_error_deg_max = quantile(normal_errors, 1);
 }
 
-// Everything of one case in one precision; errors once per setting, then a candidate per instruction set to be timed.
+// Everything of one case in one precision; errors once per setting, then a candidate per instruction set to
+// be timed.
 template <class T>
-void add_precision(const Case& cells, const CellSuiteOptions& options, std::vector<Row>& rows, std::vector<std::function<void()>>& candidates) {
+void add_precision(const Case& cells, const CellSuiteOptions& options, std::vector<Row>& rows,
+                   std::vector<std::function<void()>>& candidates) {
   const auto packets = std::make_shared<const std::vector<CellPacket<T>>>(packets_of<T>(cells.chords));
   const auto roots = std::make_shared<std::vector<RootPacket<T>>>(packets->size());
   for (const Setting& setting : settings()) {
@@ -158,7 +164,7 @@ std::vector<Row> run_cells(const CellSuiteOptions& options) {
     add_precision<float>(cells, options, case_rows, candidates);
     add_precision<double>(cells, options, case_rows, candidates);
 
-    const std::vector<Timing> timings = time_interleaved(candidates, repetitions);
+    const std::vector<Timing> timings = time_interleaved(candidates, repetitions, Clock::thread);
     for (std::size_t i = 0; i < timings.size(); ++i) {
       case_rows[i].seconds = timings[i].seconds;
       case_rows[i].seconds_mad = timings[i].mad;
@@ -173,28 +179,38 @@ std::vector<Row> run_cells(const CellSuiteOptions& options) {
 
 std::string cell_summary(const std::vector<Row>& rows) {
   // seconds of a row, or nothing where it was not run
-  const auto seconds = [&](std::string_view family, std::string_view precision, std::string_view method, std::string_view setting, Isa isa) {
+  const auto seconds = [&](std::string_view family, std::string_view precision, std::string_view method,
+                           std::string_view setting, Isa isa) {
     const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
-      return row.case_name == family && row.precision == precision && row.method == method && row.setting == setting && row.isa == name_of(isa);
+      return row.case_name == family && row.precision == precision && row.method == method &&
+             row.setting == setting && row.isa == name_of(isa);
     });
     return found == rows.end() ? std::nan("") : found->seconds;
   };
-  const auto narrow = isa_from_name(rows.empty() ? "scalar" : rows.front().isa), wide = isa_from_name(rows.empty() ? "auto" : rows.back().isa);
+  const Isa narrow = isa_from_name(rows.front().isa), wide = isa_from_name(rows.back().isa);
   struct Speed {
     std::string_view method, setting;
   };
-  constexpr Speed kAdaptive{"marmitt", "adaptive=1"}, kThree{"marmitt", "iterations=3"}, kNeubauer{"neubauer", "iterations=3"}, kSchwarze{"schwarze", "stable=1"};
+  constexpr Speed kAdaptive{"marmitt", "adaptive=1"}, kThree{"marmitt", "iterations=3"},
+      kNeubauer{"neubauer", "iterations=3"}, kSchwarze{"schwarze", "stable=1"};
 
-  std::string text = fmt::format("Times ({} to {}, marmitt by its default adaptive=1 | with iterations=3, neubauer with iterations=3)\n", name_of(narrow), name_of(wide));
+  std::string text = fmt::format(
+      "Times ({} to {}, marmitt by its default adaptive=1 | with iterations=3, neubauer with iterations=3)\n",
+      name_of(narrow), name_of(wide));
   for (const char* family : {"random", "smooth"})
     for (const char* precision : {"float", "double"}) {
-      const auto time = [&](const Speed& speed, Isa isa) { return seconds(family, precision, speed.method, speed.setting, isa); };
+      const auto time = [&](const Speed& speed, Isa isa) {
+        return seconds(family, precision, speed.method, speed.setting, isa);
+      };
       const auto gain = [&](const Speed& speed) { return time(speed, narrow) / time(speed, wide); };
-      text += fmt::format("{:7} {:7} schwarze/marmitt, {}: {:.2f} | {:.2f}   marmitt/neubauer, {}: {:.2f} | {:.2f}\n", family, precision, name_of(narrow),
-                          time(kSchwarze, narrow) / time(kAdaptive, narrow), time(kSchwarze, narrow) / time(kThree, narrow), name_of(narrow),
-                          time(kAdaptive, narrow) / time(kNeubauer, narrow), time(kThree, narrow) / time(kNeubauer, narrow));
-      text += fmt::format("{:15} gain of {} over {}: marmitt {:.2f} | {:.2f}, neubauer {:.2f}, schwarze {:.2f}\n", "", name_of(wide), name_of(narrow),
-                          gain(kAdaptive), gain(kThree), gain(kNeubauer), gain(kSchwarze));
+      text += fmt::format(
+          "{:7} {:7} schwarze/marmitt, {}: {:.2f} | {:.2f}   marmitt/neubauer, {}: {:.2f} | {:.2f}\n", family,
+          precision, name_of(narrow), time(kSchwarze, narrow) / time(kAdaptive, narrow),
+          time(kSchwarze, narrow) / time(kThree, narrow), name_of(narrow),
+          time(kAdaptive, narrow) / time(kNeubauer, narrow), time(kThree, narrow) / time(kNeubauer, narrow));
+      text += fmt::format(
+          "{:15} gain of {} over {}: marmitt {:.2f} | {:.2f}, neubauer {:.2f}, schwarze {:.2f}\n", "",
+          name_of(wide), name_of(narrow), gain(kAdaptive), gain(kThree), gain(kNeubauer), gain(kSchwarze));
     }
   return text;
 }

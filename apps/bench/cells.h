@@ -15,11 +15,11 @@ struct CellSuiteOptions {
   std::vector<Isa> isas = available_isas();
 };
 
-/// t errors are |s - s_reference| times the chord's length, in voxels; normal errors the angle between the gradients of the
-/// trilinear field at the two points. One thread is timed.
+/// t errors are |s - s_reference| times the chord's length, in voxels; normal errors the angle between the
+/// gradients of the trilinear field at the two points. Seconds are the processor time of one thread.
 [[nodiscard]] std::vector<Row> run_cells(const CellSuiteOptions& options);
 
-/// The ratios of run times that the paper speaks of, as a table to read.
+/// The ratios of run times that the paper speaks of, as a table to read; of all rows of run_cells.
 [[nodiscard]] std::string cell_summary(const std::vector<Row>& rows);
 
 }  // namespace isocast::bench

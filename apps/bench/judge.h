@@ -10,7 +10,8 @@
 
 namespace isocast::bench {
 
-/// The names of interface.md: a root is a crossing (cell_reference.h), wrong_root a hit that is nearer to another root.
+/// The names of interface.md: a root is a crossing (cell_reference.h), wrong_root a hit that is nearer to
+/// another root.
 enum class Verdict : std::uint8_t { hit, miss, false_hit, false_miss, wrong_root };
 
 /// error  |s - s of the first crossing|, for hits only
@@ -22,10 +23,11 @@ struct Judgement {
 
 /// Solves packets in the precision of T.
 template <class T>
-void solve(const CellKernels& kernels, CellMethod method, const CellOptions& options, std::span<const CellPacket<T>> packets,
-           std::span<RootPacket<T>> roots) {
+void solve(const CellKernels& kernels, CellMethod method, const CellOptions& options,
+           std::span<const CellPacket<T>> packets, std::span<RootPacket<T>> roots) {
   const int m = static_cast<int>(method);
-  if constexpr (sizeof(T) == sizeof(float)) kernels.solve_float[m](options, packets.data(), roots.data(), packets.size());
+  if constexpr (sizeof(T) == sizeof(float))
+    kernels.solve_float[m](options, packets.data(), roots.data(), packets.size());
   else kernels.solve_double[m](options, packets.data(), roots.data(), packets.size());
 }
 template <class T>
@@ -45,7 +47,8 @@ template <class T> [[nodiscard]] Answer answer_of(const std::vector<RootPacket<T
   const RootPacket<T>& packet = roots[n / kPacketSize];
   const std::size_t lane = n % kPacketSize;
   const auto bit = [&](std::uint32_t bits) { return (bits >> lane & 1) != 0; };
-  return {bit(packet.hit), bit(packet.undecided), bit(packet.sign), packet.s[lane], packet.s_lo[lane], packet.s_hi[lane]};
+  return {bit(packet.hit), bit(packet.undecided), bit(packet.sign),
+          packet.s[lane],  packet.s_lo[lane],     packet.s_hi[lane]};
 }
 
 }  // namespace isocast::bench

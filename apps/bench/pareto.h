@@ -7,11 +7,12 @@
 
 namespace isocast::bench {
 
-/// One number for a row: the mean error, and one whole voxel (or domain width) for every ray that was answered wrongly.
+/// One number for a row: the mean error, and one whole voxel (or domain width) for every ray that was
+/// answered wrongly.
 [[nodiscard]] double pareto_error(const Row& row);
 
-/// Sets `pareto` where no row of the same suite, case, instruction set and precision has less of one of pareto_error and
-/// seconds and not more of the other.
+/// Sets `pareto` where no row of the same suite, case, instruction set and precision has less of one of
+/// pareto_error and seconds and not more of the other.
 void mark_pareto(std::vector<Row>& rows);
 
 }  // namespace isocast::bench

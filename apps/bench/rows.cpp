@@ -53,7 +53,8 @@ template <class Number> std::string csv_cell(Number number) { return fmt::format
 std::string processor_name() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)
-    if (const auto colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+    if (const auto colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
+      return line.substr(colon + 2);
   return "unknown";
 }
 
@@ -61,19 +62,23 @@ std::string processor_name() {
 
 double quantile(std::vector<double> values, double q) {
   if (values.empty()) return 0;
-  const auto rank = static_cast<std::size_t>(std::max(0.0, std::ceil(q * static_cast<double>(values.size())) - 1));
+  const auto rank =
+      static_cast<std::size_t>(std::max(0.0, std::ceil(q * static_cast<double>(values.size())) - 1));
   std::nth_element(values.begin(), values.begin() + rank, values.end());
   return values[rank];
 }
 
 Provenance provenance() {
-  return {processor_name(), "g++ " __VERSION__, ISOCAST_COMMIT, fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
+  return {processor_name(), "g++ " __VERSION__, ISOCAST_COMMIT,
+          fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
           std::thread::hardware_concurrency()};
 }
 
 std::string csv_of(const std::vector<Row>& rows) {
   std::string text;
-  const auto append = [&text](const std::string& cell) { text += (text.empty() || text.back() == '\n' ? "" : ",") + cell; };
+  const auto append = [&text](const std::string& cell) {
+    text += (text.empty() || text.back() == '\n' ? "" : ",") + cell;
+  };
   visit_columns(Row{}, [&](const char* name, const auto&) { append(name); });
   text += '\n';
   for (const Row& row : rows) {
@@ -101,7 +106,8 @@ std::string json_of(const std::vector<Row>& rows, const Provenance& provenance) 
 void prepare_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(fmt::format("folder '{}' cannot be made: {}", folder.string(), error.message()));
+  if (error)
+    throw InputError(fmt::format("folder '{}' cannot be made: {}", folder.string(), error.message()));
   OutputFile probe(folder / "results.csv");
 }
 

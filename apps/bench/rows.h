@@ -8,8 +8,9 @@
 
 namespace isocast::bench {
 
-/// One case x method x instruction set x precision x setting. `rays` counts all rays of the case; seconds are the median of
-/// the repetitions and seconds_mad their median absolute deviation; errors are over the hits that are not wrong roots.
+/// One case x method x instruction set x precision x setting. `rays` counts all rays of the case; seconds are
+/// the median of the repetitions and seconds_mad their median absolute deviation; errors are over the hits
+/// that are not wrong roots.
 struct Row {
   std::string suite, case_name, method, isa, precision, setting, proves;
   std::int64_t rays = 0;
@@ -20,7 +21,7 @@ struct Row {
   bool pareto = false;
 };
 
-/// The value that a share q in [0, 1] of the values does not exceed (nearest rank); 0 for none. Reorders its copy.
+/// The value that a share q in [0, 1] of the values does not exceed (nearest rank); 0 for none.
 [[nodiscard]] double quantile(std::vector<double> values, double q);
 
 /// Where the numbers come from: processor, compiler, commit, date.
@@ -33,7 +34,8 @@ struct Provenance {
 [[nodiscard]] std::string csv_of(const std::vector<Row>& rows);
 [[nodiscard]] std::string json_of(const std::vector<Row>& rows, const Provenance& provenance);
 
-/// Makes the folder if it is missing; throws InputError if results could not be written there, before the work is done.
+/// Makes the folder if it is missing; throws InputError if results could not be written there, before the
+/// work is done.
 void prepare_folder(const std::filesystem::path& folder);
 /// results.csv and results.json in a prepared folder.
 void write_results(const std::filesystem::path& folder, const std::vector<Row>& rows);

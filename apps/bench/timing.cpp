@@ -2,22 +2,31 @@
 #include <isocast/apps/bench/timing.h>
 #include <isocast/base/interrupt.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 namespace isocast::bench {
+namespace {
 
-std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& candidates, int repetitions) {
-  using Clock = std::chrono::steady_clock;
+double seconds_now(Clock clock) {
+  timespec now;
+  clock_gettime(clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& candidates, int repetitions,
+                                     Clock clock) {
   for (const auto& candidate : candidates) candidate();
 
   std::vector<std::vector<double>> seconds(candidates.size());
   for (int i = 0; i < repetitions; ++i) {
     throw_if_interrupted();
     for (std::size_t c = 0; c < candidates.size(); ++c) {
-      const Clock::time_point start = Clock::now();
+      const double start = seconds_now(clock);
       candidates[c]();
-      seconds[c].push_back(std::chrono::duration<double>(Clock::now() - start).count());
+      seconds[c].push_back(seconds_now(clock) - start);
     }
   }
 

@@ -18,7 +18,8 @@ struct BenchOptions {
 };
 
 void run_bench(const BenchOptions& options) {
-  if (options.suite != "cells") throw InputError(fmt::format("suite '{}' is unknown; expected cells", options.suite));
+  if (options.suite != "cells")
+    throw InputError(fmt::format("suite '{}' is unknown; expected cells", options.suite));
   bench::CellSuiteOptions cells{.quick = options.quick};
   if (!options.isa.empty()) cells.isas = {isa_from_name(options.isa)};
   bench::prepare_folder(options.folder);
@@ -32,10 +33,13 @@ void run_bench(const BenchOptions& options) {
 void add_bench(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("bench", "Error against run time, as results.csv and results.json");
   const auto options = std::make_shared<BenchOptions>();
-  verb->add_option("suite", options->suite, "cells: every cell intersector on every family of cells")->required();
+  verb->add_option("suite", options->suite, "cells: every cell intersector on every family of cells")
+      ->required();
   verb->add_option("-o,--output", options->folder, "Folder of the result files, made if missing")->required();
   verb->add_flag("--quick", options->quick, "Six named cases with fewer rays");
-  verb->add_option("--isa", options->isa, "Time one instruction set: auto, scalar, sse4, avx2 or avx512 (default: all that run here)");
+  verb->add_option(
+      "--isa", options->isa,
+      "Time one instruction set: auto, scalar, sse4, avx2 or avx512 (default: all that run here)");
   verb->callback([options] { run_bench(*options); });
 }
 

@@ -30,11 +30,13 @@ struct Placement {
   std::array<Double3, 3> axes;
 };
 
+// A negative zero would only puzzle: adding 0 makes it 0.
 Placement placement_of(const Transform& world_from_grid) {
   Placement placement;
   for (int a = 0; a < 3; ++a) {
-    const Double3 step = {world_from_grid.m[0][a], world_from_grid.m[1][a], world_from_grid.m[2][a]};
-    placement.origin[a] = world_from_grid.m[a][3];
+    Double3 step;
+    for (int r = 0; r < 3; ++r) step[r] = world_from_grid.m[r][a] + 0.0;
+    placement.origin[a] = world_from_grid.m[a][3] + 0.0;
     placement.spacing[a] = length(step);
     placement.axes[a] = normalized(step);
   }
@@ -48,22 +50,23 @@ void print_json(const Volume& volume, const VolumeStatistics& statistics) {
   Json percentiles = Json::object();
   for (const Percentile& p : statistics.percentiles) percentiles[fmt::format("{}", p.percent)] = p.value;
   const Histogram& histogram = statistics.histogram;
-  const Json info = {{"format", volume.format},
-                     {"dims", volume.dims},
-                     {"type", name_of(volume.type)},
-                     {"spacing", placement.spacing},
-                     {"origin", placement.origin},
-                     {"axes", placement.axes},
-                     {"slope", volume.slope},
-                     {"intercept", volume.intercept},
-                     {"range", {statistics.min, statistics.max}},
-                     {"nan_count", statistics.nan_count},
-                     {"infinite_count", statistics.infinite_count},
-                     {"histogram", {{"lo", histogram.lo}, {"hi", histogram.hi}, {"counts", histogram.counts}}},
-                     {"percentiles", percentiles},
-                     {"suggested_iso", statistics.suggested_iso},
-                     {"memory_mb", megabytes(volume)},
-                     {"mapped", volume.mapped}};
+  const Json info = {
+      {"format", volume.format},
+      {"dims", volume.dims},
+      {"type", name_of(volume.type)},
+      {"spacing", placement.spacing},
+      {"origin", placement.origin},
+      {"axes", placement.axes},
+      {"slope", volume.slope},
+      {"intercept", volume.intercept},
+      {"range", {statistics.min, statistics.max}},
+      {"nan_count", statistics.nan_count},
+      {"infinite_count", statistics.infinite_count},
+      {"histogram", {{"lo", histogram.lo}, {"hi", histogram.hi}, {"counts", histogram.counts}}},
+      {"percentiles", percentiles},
+      {"suggested_iso", statistics.suggested_iso},
+      {"memory_mb", megabytes(volume)},
+      {"mapped", volume.mapped}};
   fmt::print("{}\n", info.dump(2));
 }
 
@@ -75,28 +78,32 @@ void print_histogram(const Histogram& histogram) {
     const auto first = histogram.counts.begin() + r * kBinsPerRow;
     counts[r] = std::accumulate(first, first + kBinsPerRow, std::int64_t(0));
   }
-  const double most = std::sqrt(static_cast<double>(std::max<std::int64_t>(1, *std::ranges::max_element(counts))));
+  const double most =
+      std::sqrt(static_cast<double>(std::max<std::int64_t>(1, *std::ranges::max_element(counts))));
   fmt::print("histogram  (bars: square root of the number of samples)\n");
   for (int r = 0; r < kRows; ++r) {
     const double position = static_cast<double>(r) / kRows;
     const int bar = static_cast<int>(std::ceil(kWidth * std::sqrt(static_cast<double>(counts[r])) / most));
-    fmt::print("  {:>10.5g}  {:{}}  {}\n", (1 - position) * histogram.lo + position * histogram.hi, std::string(bar, '#'),
-               kWidth, counts[r]);
+    fmt::print("  {:>10.5g}  {:{}}  {}\n", (1 - position) * histogram.lo + position * histogram.hi,
+               std::string(bar, '#'), kWidth, counts[r]);
   }
 }
 
 void print_table(const std::string& file, const Volume& volume, const VolumeStatistics& statistics) {
   const Placement placement = placement_of(volume.world_from_grid);
-  const auto row = [](std::string_view name, const std::string& value) { fmt::print("{:<10} {}\n", name, value); };
+  const auto row = [](std::string_view name, const std::string& value) {
+    fmt::print("{:<10} {}\n", name, value);
+  };
   const auto numbers = [](const auto& values) { return fmt::format("{:.6g}", fmt::join(values, " ")); };
   row("file", file);
   row("format", volume.format);
   row("dims", fmt::format("{} x {} x {}", volume.dims[0], volume.dims[1], volume.dims[2]));
   row("type", std::string(name_of(volume.type)));
-  row("memory", fmt::format("{:.1f} MB{}", megabytes(volume), volume.mapped ? ", mapped from the file" : ""));
+  row("memory", fmt::format("{:.4g} MB{}", megabytes(volume), volume.mapped ? ", mapped from the file" : ""));
   row("spacing", numbers(placement.spacing));
   row("origin", numbers(placement.origin));
-  row("axes", fmt::format("({})  ({})  ({})", numbers(placement.axes[0]), numbers(placement.axes[1]), numbers(placement.axes[2])));
+  row("axes", fmt::format("({})  ({})  ({})", numbers(placement.axes[0]), numbers(placement.axes[1]),
+                          numbers(placement.axes[2])));
   if (volume.slope != 1 || volume.intercept != 0)
     row("values", fmt::format("{:.6g} * stored + {:.6g}", volume.slope, volume.intercept));
   row("range", fmt::format("{:.6g} to {:.6g}", statistics.min, statistics.max));
@@ -104,7 +111,8 @@ void print_table(const std::string& file, const Volume& volume, const VolumeStat
     row("left out", fmt::format("{} NaN, {} infinite", statistics.nan_count, statistics.infinite_count));
   row("iso-values", numbers(statistics.suggested_iso));
   std::string percentiles;
-  for (const Percentile& p : statistics.percentiles) percentiles += fmt::format("{}%: {:.5g}  ", p.percent, p.value);
+  for (const Percentile& p : statistics.percentiles)
+    percentiles += fmt::format("{}%: {:.5g}  ", p.percent, p.value);
   row("percentile", percentiles.substr(0, percentiles.size() - 2));
   if (statistics.finite_count > 0) print_histogram(statistics.histogram);
 }
@@ -119,7 +127,8 @@ void run(const InfoOptions& options) {
 }  // namespace
 
 void add_info(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("info", "What a volume file holds: dimensions, type, range, histogram, iso-values");
+  CLI::App* verb =
+      app.add_subcommand("info", "What a volume file holds: dimensions, type, range, histogram, iso-values");
   const auto options = std::make_shared<InfoOptions>();
   verb->add_option("FILE", options->file, "A volume: .raw .nrrd .nhdr .nii .nii.gz .vti")->required();
   verb->add_flag("--json", options->json, "One object on stdout");

@@ -43,7 +43,8 @@ long double to_long_double(const ExactRoot& root) {
   return std::ldexp(root.exact && dropped == 0 ? n : n + 0.5L, dropped - root.bits);
 }
 
-// f along the chord: Bernstein coefficients times (1, 3, 3, 1), and powers of s, as integers times 2^exponent.
+// f along the chord: Bernstein coefficients times (1, 3, 3, 1), and powers of s, as integers times
+// 2^exponent.
 struct ChordCubic {
   ExactCubic bernstein, power;
   long exponent;
@@ -53,9 +54,12 @@ ChordCubic cubic_along(const CellChord& chord) {
   const Integers f = integers_of({chord.f});
   const Integers points = integers_of({chord.entry, chord.exit});
   const mpz_class one = mpz_class(1) << -points.exponent;
-  const auto lerp = [&](const mpz_class& a, const mpz_class& b, const mpz_class& t) { return mpz_class(a * (one - t) + b * t); };
+  const auto lerp = [&](const mpz_class& a, const mpz_class& b, const mpz_class& t) {
+    return mpz_class(a * (one - t) + b * t);
+  };
 
-  // the field is affine in each coordinate: f at (x of P or Q, y of P or Q, z of P or Q), index by bits, x lowest
+  // the field is affine in each coordinate: f at (x of P or Q, y of P or Q, z of P or Q), index by bits, x
+  // lowest
   mpz_class blossom[8];
   for (int x = 0; x < 2; ++x) {
     mpz_class edges[4];
@@ -66,7 +70,8 @@ ChordCubic cubic_along(const CellChord& chord) {
       for (int z = 0; z < 2; ++z) blossom[x + 2 * y + 4 * z] = lerp(near, far, points.value[3 * z + 2]);
     }
   }
-  const ExactCubic b = {blossom[0], blossom[1] + blossom[2] + blossom[4], blossom[3] + blossom[5] + blossom[6], blossom[7]};
+  const ExactCubic b = {blossom[0], blossom[1] + blossom[2] + blossom[4],
+                        blossom[3] + blossom[5] + blossom[6], blossom[7]};
   return {b, {b[0], b[1] - 3 * b[0], 3 * b[0] - 2 * b[1] + b[2], b[3] - b[2] + b[1] - b[0]},
           long(f.exponent) + 3 * long(points.exponent)};
 }
@@ -87,7 +92,8 @@ void list_roots(const ExactCubic& p, CellReference& reference) {
     CellRoot& root = reference.roots[reference.root_count++];
     root.s = to_long_double(exact);
     root.multiplicity = exact.multiplicity;
-    const bool at_entry = exact.exact && exact.numerator == 0, at_exit = exact.exact && exact.numerator == mpz_class(1) << exact.bits;
+    const bool at_entry = exact.exact && exact.numerator == 0,
+               at_exit = exact.exact && exact.numerator == mpz_class(1) << exact.bits;
     const bool negative_before = !at_entry && sign < 0;
     if (!at_entry && exact.multiplicity % 2 == 1) sign = -sign;
     root.negative_behind = !at_exit && sign < 0;
@@ -97,7 +103,8 @@ void list_roots(const ExactCubic& p, CellReference& reference) {
 
 void list_critical_points(const ChordCubic& cubic, CellReference& reference) {
   const auto add = [&](const ExactRoot& s) {
-    reference.critical[reference.critical_count++] = {static_cast<double>(to_long_double(s)), value_at(cubic, s)};
+    reference.critical[reference.critical_count++] = {static_cast<double>(to_long_double(s)),
+                                                      value_at(cubic, s)};
   };
   const ExactRoot entry{0, 0, true, 1}, exit{1, 0, true, 1};
   const ExactCubic& p = cubic.power;
@@ -105,7 +112,8 @@ void list_critical_points(const ChordCubic& cubic, CellReference& reference) {
   add(entry);
   if (!is_zero(derivative))
     for (const ExactRoot& s : roots_in_unit_interval(derivative))
-      if (s.multiplicity == 1 && !(s.exact && (s.numerator == 0 || s.numerator == mpz_class(1) << s.bits))) add(s);
+      if (s.multiplicity == 1 && !(s.exact && (s.numerator == 0 || s.numerator == mpz_class(1) << s.bits)))
+        add(s);
   add(exit);
 }
 

@@ -9,7 +9,8 @@
 
 namespace isocast::reference {
 
-/// One cell and one chord of it, every number taken as it stands (packet.h describes the members). All are finite.
+/// One cell and one chord of it, every number taken as it stands (packet.h describes the members). All are
+/// finite.
 struct CellChord {
   double f[8];
   double entry[3], exit[3];
@@ -27,9 +28,9 @@ template <class T> [[nodiscard]] CellChord chord_of(const CellPacket<T>& packet,
 }
 
 /// s                within 2^-60, from 0 at entry to 1 at exit
-/// crossing         f < 0 on one side and f >= 0 on the other; the ends are sides of their own, with f = 0 there: a root at
-///                  entry is a crossing if f < 0 behind it, a root at exit if f < 0 before it. A touch inside the chord is
-///                  none, from either side
+/// crossing         f < 0 on one side and f >= 0 on the other; the ends are sides of their own, with f = 0
+///                  there: a root at entry is a crossing if f < 0 behind it, a root at exit if f < 0 before
+///                  it. A touch inside the chord is none, from either side
 /// negative_behind  f < 0 behind the root
 struct CellRoot {
   long double s;

@@ -35,7 +35,8 @@ std::pair<Bernstein, Bernstein> halves(const Bernstein& b) {
   return {Bernstein{8 * b[0], 4 * x, 2 * u, m}, Bernstein{m, 2 * v, 4 * z, 8 * b[3]}};
 }
 
-// Narrows the interval of a simple root in the open interval (n, n+1)/2^bits, where p has sign `below` just behind n.
+// Narrows the interval of a simple root in the open interval (n, n+1)/2^bits, where p has sign `below` just
+// behind n.
 ExactRoot refine(const ExactCubic& p, mpz_class n, int bits, int below) {
   for (int step = 1; bits < kRootBits;) {
     // guess by the chord in which of 2^step parts the root lies, and ask the sign at a point next to it
@@ -64,7 +65,8 @@ ExactRoot refine(const ExactCubic& p, mpz_class n, int bits, int below) {
 }
 
 // Appends the roots in the open interval (n, n+1)/2^bits, all of them simple.
-void isolate(const ExactCubic& p, const Bernstein& b, const mpz_class& n, int bits, std::vector<ExactRoot>& roots) {
+void isolate(const ExactCubic& p, const Bernstein& b, const mpz_class& n, int bits,
+             std::vector<ExactRoot>& roots) {
   const int count = variations(b);
   if (count == 0) return;
   if (count == 1) {
@@ -86,15 +88,21 @@ struct RationalRoot {
 // All roots of a p that has a multiple one, in order; nothing if all are simple.
 std::vector<RationalRoot> rational_roots(const ExactCubic& p) {
   const mpz_class &d = p[0], &c = p[1], &b = p[2], &a = p[3];
-  const auto ratio = [](const mpz_class& x, const mpz_class& y) { mpq_class q(x, y); q.canonicalize(); return q; };
+  const auto ratio = [](const mpz_class& x, const mpz_class& y) {
+    mpq_class q(x, y);
+    q.canonicalize();
+    return q;
+  };
   if (a == 0) {
     if (b == 0 || c * c != 4 * b * d) return {};
     return {{ratio(-c, 2 * b), 2}};
   }
-  if (b * b * c * c - 4 * a * c * c * c - 4 * b * b * b * d - 27 * a * a * d * d + 18 * a * b * c * d != 0) return {};
+  if (b * b * c * c - 4 * a * c * c * c - 4 * b * b * b * d - 27 * a * a * d * d + 18 * a * b * c * d != 0)
+    return {};
   const mpz_class e = b * b - 3 * a * c;
   if (e == 0) return {{ratio(-b, 3 * a), 3}};
-  const RationalRoot twice{ratio(9 * a * d - b * c, 2 * e), 2}, once{ratio(4 * a * b * c - 9 * a * a * d - b * b * b, a * e), 1};
+  const RationalRoot twice{ratio(9 * a * d - b * c, 2 * e), 2},
+      once{ratio(4 * a * b * c - 9 * a * a * d - b * b * b, a * e), 1};
   if (twice.s < once.s) return {twice, once};
   return {once, twice};
 }

@@ -27,10 +27,10 @@ struct ExactRoot {
 
 /// Every distinct root in [0,1], in order; p is not zero. The intervals are at most 2^-kRootBits wide.
 ///
-/// Multiple roots of a cubic are rational and have closed forms; simple ones are isolated by Descartes' rule on Bernstein
-/// coefficients and narrowed by quadratic interval refinement.
-/// source  Rouillier, Zimmermann: Efficient isolation of a polynomial's real roots, 2004; Abbott: Quadratic interval
-///         refinement for real roots, 2006
+/// Multiple roots of a cubic are rational and have closed forms; simple ones are isolated by Descartes' rule
+/// on Bernstein coefficients and narrowed by quadratic interval refinement.
+/// source  Rouillier, Zimmermann: Efficient isolation of a polynomial's real roots, 2004; Abbott: Quadratic
+///         interval refinement for real roots, 2006
 [[nodiscard]] std::vector<ExactRoot> roots_in_unit_interval(const ExactCubic& p);
 
 }  // namespace isocast::reference

@@ -37,7 +37,8 @@ int Image::channel(std::string_view name) const {
 
 std::uint8_t srgb_code(float linear) {
   static const std::array<double, 255> steps = srgb_steps();
-  const auto above = std::partition_point(steps.begin(), steps.end(), [&](double step) { return step <= linear; });
+  const auto above =
+      std::partition_point(steps.begin(), steps.end(), [&](double step) { return step <= linear; });
   return static_cast<std::uint8_t>(above - steps.begin());
 }
 
@@ -64,7 +65,8 @@ void write_png(const std::filesystem::path& path, int width, int height, const f
   write_text_file(path, image_module(path).encode_png(path.string(), width, height, rgb.data()));
 }
 
-void write_exr(const std::filesystem::path& path, int width, int height, const std::vector<ImageLayer>& layers) {
+void write_exr(const std::filesystem::path& path, int width, int height,
+               const std::vector<ImageLayer>& layers) {
   write_text_file(path, image_module(path).encode_exr(path.string(), width, height, layers));
 }
 

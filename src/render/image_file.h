@@ -1,4 +1,4 @@
-// Pictures on disk: PNG to look at, EXR for the numbers. OpenImageIO is loaded at the first call, in a module.
+// Pictures on disk: PNG to look at, EXR for the numbers. The first call opens the module with OpenImageIO.
 #pragma once
 
 #include <isocast/render/film.h>
@@ -11,7 +11,7 @@
 
 namespace isocast {
 
-/// Channels that lie interleaved in memory, rows from the top: {"R", "G", "B", "A"}, {"depth"}, {"normal.X", ...}.
+/// Channels interleaved in memory, rows from the top: {"R", "G", "B", "A"}, {"depth"}, {"normal.X", ...}.
 struct ImageLayer {
   std::vector<std::string> channels;
   const float* data;
@@ -33,18 +33,21 @@ struct Image {
 /// The 8-bit sRGB code nearest to a linear value; NaN gives 0, values outside [0, 1] the end.
 [[nodiscard]] std::uint8_t srgb_code(float linear);
 
-/// Colour as R G B A (when `color`), then every layer the film has: `depth`, `normal.X normal.Y normal.Z` and so on. Points into
-/// the film.
+/// Colour as R G B A (when `color`), then every layer the film has: `depth`, `normal.X normal.Y normal.Z` and
+/// so on. Points into the film.
 [[nodiscard]] std::vector<ImageLayer> image_layers(const Film& film, bool color = true);
 
-/// Linear RGBA, already composited over the background, as an opaque sRGB picture of 8 bits. The file holds pixels only: the
-/// same pixels give the same bytes. Throws InputError when it cannot be written or this build has no OpenImageIO.
+/// Linear RGBA, already composited over the background, as an opaque sRGB picture of 8 bits. The file holds
+/// pixels only: the same pixels give the same bytes. Throws InputError when it cannot be written or this
+/// build has no OpenImageIO.
 void write_png(const std::filesystem::path& path, int width, int height, const float* rgba);
 
 /// Every layer as 32-bit floats, losslessly compressed (ZIP); otherwise like write_png.
-void write_exr(const std::filesystem::path& path, int width, int height, const std::vector<ImageLayer>& layers);
+void write_exr(const std::filesystem::path& path, int width, int height,
+               const std::vector<ImageLayer>& layers);
 
-/// Reads the first part of an EXR: flat, at most 65536 pixels a side and 256 channels. Throws InputError.
+/// Reads the first part of an EXR: flat, in scan lines, at most 32768 pixels a side and 64 channels. Throws
+/// InputError.
 [[nodiscard]] Image read_exr(const std::filesystem::path& path);
 
 }  // namespace isocast

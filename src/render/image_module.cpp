@@ -11,22 +11,25 @@
 namespace isocast {
 namespace {
 
-constexpr int kMaxSide = 1 << 16, kMaxChannels = 256;
+constexpr int kMaxSide = 1 << 15, kMaxChannels = 64;  // of a picture that is read
+constexpr int kRows = 16;                             // read at once: a block of ZIP
 
 [[noreturn]] void fail(const char* what, const std::string& path, std::string why) {
   // the library's messages may have several lines
   std::replace(why.begin(), why.end(), '\n', ' ');
-  throw InputError(std::string("cannot ") + what + " " + path + ": " + (why.empty() ? "unknown reason" : why));
+  throw InputError(std::string("cannot ") + what + " " + path + ": " +
+                   (why.empty() ? "unknown reason" : why));
 }
 
 // Encodes a picture in memory. Nothing but the spec goes into the file's header.
-std::string encode(const std::string& target, const char* format, const OIIO::ImageSpec& spec, const void* pixels) {
+std::string encode(const std::string& target, const char* format, const OIIO::ImageSpec& spec,
+                   const void* pixels) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create(format);
   if (!output) fail("write", target, OIIO::geterror());
-  if (!output->set_ioproxy(&memory) || !output->open(target, spec) || !output->write_image(spec.format, pixels) ||
-      !output->close())
+  if (!output->set_ioproxy(&memory) || !output->open(target, spec) ||
+      !output->write_image(spec.format, pixels) || !output->close())
     fail("write", target, output->geterror());
   return {bytes.begin(), bytes.end()};
 }
@@ -37,7 +40,8 @@ std::string encode_png(const std::string& target, int width, int height, const s
   return encode(target, "png", spec, rgb);
 }
 
-std::string encode_exr(const std::string& target, int width, int height, const std::vector<ImageLayer>& layers) {
+std::string encode_exr(const std::string& target, int width, int height,
+                       const std::vector<ImageLayer>& layers) {
   OIIO::ImageSpec spec(width, height, 0, OIIO::TypeFloat);
   spec.channelnames.clear();
   for (const ImageLayer& layer : layers)
@@ -64,25 +68,22 @@ Image read_exr(const std::string& path) {
   if (!input) fail("read", path, OIIO::geterror());
   OIIO::ImageSpec spec;
   if (!input->open(path, spec)) fail("read", path, input->geterror());
-  if (spec.deep) fail("read", path, "it is a deep image, a flat one was expected");
-  if (spec.width < 1 || spec.height < 1 || spec.width > kMaxSide || spec.height > kMaxSide || spec.nchannels < 1 ||
-      spec.nchannels > kMaxChannels)
-    fail("read", path, "it has " + std::to_string(spec.width) + "x" + std::to_string(spec.height) + " pixels of " +
-         std::to_string(spec.nchannels) + " channels, at most 65536x65536 of 256 were expected");
+  if (spec.deep || spec.tile_width > 0)
+    fail("read", path, "it is a deep or tiled image, a flat one in scan lines was expected");
+  if (spec.width > kMaxSide || spec.height > kMaxSide || spec.nchannels > kMaxChannels)
+    fail("read", path,
+         "it has " + std::to_string(spec.width) + "x" + std::to_string(spec.height) + " pixels of " +
+             std::to_string(spec.nchannels) + " channels, at most 32768x32768 of 64 were expected");
 
   // Memory grows with the rows that are really there, not with the header's word.
   Image image{spec.width, spec.height, spec.channelnames, {}};
   const std::size_t row = std::size_t(spec.width) * spec.nchannels;
-  const int step = spec.tile_height > 0 ? spec.tile_height : 64, left = spec.x, right = spec.x + spec.width;
-  for (int done = 0; done < spec.height; done += step) {
-    const int rows = std::min(step, spec.height - done), top = spec.y + done;
+  for (int done = 0; done < spec.height; done += kRows) {
+    const int rows = std::min(kRows, spec.height - done), top = spec.y + done;
     image.pixels.resize(row * (done + rows));
     float* const to = &image.pixels[row * done];
-    const bool read_well =
-        spec.tile_height > 0
-            ? input->read_tiles(0, 0, left, right, top, top + rows, 0, 1, 0, spec.nchannels, OIIO::TypeFloat, to)
-            : input->read_scanlines(0, 0, top, top + rows, 0, 0, spec.nchannels, OIIO::TypeFloat, to);
-    if (!read_well) fail("read", path, input->geterror());
+    if (!input->read_scanlines(0, 0, top, top + rows, 0, 0, spec.nchannels, OIIO::TypeFloat, to))
+      fail("read", path, input->geterror());
   }
   return image;
 }

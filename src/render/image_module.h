@@ -10,7 +10,8 @@ namespace isocast {
 /// `target` names the file in error messages only: the result is the file's content.
 struct ImageModule {
   std::string (*encode_png)(const std::string& target, int width, int height, const std::uint8_t* rgb);
-  std::string (*encode_exr)(const std::string& target, int width, int height, const std::vector<ImageLayer>& layers);
+  std::string (*encode_exr)(const std::string& target, int width, int height,
+                            const std::vector<ImageLayer>& layers);
   Image (*read_exr)(const std::string& path);
 };
 

@@ -40,8 +40,8 @@ TEST_CASE("quantiles take the nearest rank") {
 }
 
 TEST_CASE("the Pareto front: a wrong answer counts a voxel, cases are apart") {
-  std::vector<Row> rows = {row_of("a", 1, 0.1), row_of("a", 2, 0.2), row_of("a", 3, 0.01), row_of("a", 4, 0.001, 50),
-                           row_of("a", 1, 0.1), row_of("b", 9, 0.9)};
+  std::vector<Row> rows = {row_of("a", 1, 0.1),       row_of("a", 2, 0.2), row_of("a", 3, 0.01),
+                           row_of("a", 4, 0.001, 50), row_of("a", 1, 0.1), row_of("b", 9, 0.9)};
   CHECK(pareto_error(rows[3]) == Approx(0.501));
   mark_pareto(rows);
   const bool expected[] = {true, false, true, false, true, true};
@@ -61,14 +61,14 @@ TEST_CASE("verdicts") {
 
 TEST_CASE("every candidate runs once more than it is measured") {
   int first = 0, second = 0;
-  const auto timings = time_interleaved({[&] { ++first; }, [&] { ++second; }}, 5);
+  const auto timings = time_interleaved({[&] { ++first; }, [&] { ++second; }}, 5, Clock::wall);
   CHECK(first == 6);
   CHECK(second == 6);
   REQUIRE(timings.size() == 2);
   CHECK(timings[0].seconds >= 0);
 }
 
-TEST_CASE("the quick suite has its six cases, every setting, and errors that do not depend on the instruction set") {
+TEST_CASE("the quick suite has its six cases, every setting, and errors within what is documented") {
   const std::vector<Row> rows = run_cells({.quick = true, .isas = {Isa::scalar, widest_isa()}});
   CHECK(rows.size() == 6 * 14 * 2 * 2);
   std::size_t front = 0;
@@ -77,7 +77,8 @@ TEST_CASE("the quick suite has its six cases, every setting, and errors that do 
     CHECK(row.rays == 8192);
     CHECK(row.seconds > 0);
     CHECK(row.t_error_p50 <= row.t_error_max);
-    if (row.method == "marmitt" && row.case_name == "random" && row.precision == "double" && row.setting == "adaptive=1") {
+    if (row.method == "marmitt" && row.case_name == "random" && row.precision == "double" &&
+        row.setting == "adaptive=1") {
       CHECK(row.false_misses + row.false_hits + row.wrong_root == 0);
       CHECK(row.t_error_max < 1e-13);
       CHECK(row.normal_error_deg_max < 1e-9);
@@ -89,7 +90,8 @@ TEST_CASE("the quick suite has its six cases, every setting, and errors that do 
 }
 
 TEST_CASE("result files: the columns of the interface, quoted where needed, with their provenance") {
-  const auto folder = std::filesystem::temp_directory_path() / ("isocast_bench_test_" + std::to_string(getpid()));
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("isocast_bench_test_" + std::to_string(getpid()));
   std::vector<Row> rows = {row_of("a \"b\", c", 0.5, 0.25)};
   prepare_folder(folder / "deep");
   write_results(folder / "deep", rows);
@@ -98,7 +100,8 @@ TEST_CASE("result files: the columns of the interface, quoted where needed, with
   std::getline(csv, header);
   std::getline(csv, line);
   CHECK(header ==
-        "suite,case,method,isa,precision,setting,proves,rays,seconds,seconds_mad,mrays_per_s,false_misses,false_hits,wrong_root,undecided,"
+        "suite,case,method,isa,precision,setting,proves,rays,seconds,seconds_mad,mrays_per_s,false_misses,"
+        "false_hits,wrong_root,undecided,"
         "t_error_mean,t_error_p50,t_error_p99,t_error_max,normal_error_deg_p50,normal_error_deg_max,pareto");
   CHECK(line == "cells,\"a \"\"b\"\", c\",,,,,,100,0.5,0,0,0,0,0,0,0.25,0,0,0,0,0,0");
   std::ifstream file(folder / "deep" / "results.json");

@@ -78,7 +78,8 @@ TEST_CASE("a double root of a quadratic") {
 }
 
 TEST_CASE("zero at the ends counts as positive") {
-  const CellReference falling_entry = solve(diagonal_cell_with_roots(1, 0, 1.5, 2)), rising_exit = solve(diagonal_cell_with_roots(1, 1, 1.5, 2));
+  const CellReference falling_entry = solve(diagonal_cell_with_roots(1, 0, 1.5, 2)),
+                      rising_exit = solve(diagonal_cell_with_roots(1, 1, 1.5, 2));
   REQUIRE(falling_entry.root_count == 1);
   check_root(falling_entry.roots[0], 0, 1, false, false);
   check_root(solve(diagonal_cell_with_roots(-1, 0, 1.5, 2)).roots[0], 0, 1, true, true);
@@ -137,7 +138,8 @@ TEST_CASE("roots, extrema and values of every family fit together") {
     const std::vector<CellReference> references = solve(chords);
     for (std::size_t n = 0; n < chords.size(); ++n) {
       const CellReference& r = references[n];
-      const bool negative_entry = r.critical[0].value < 0, negative_exit = r.critical[r.critical_count - 1].value < 0;
+      const bool negative_entry = r.critical[0].value < 0,
+                 negative_exit = r.critical[r.critical_count - 1].value < 0;
       int crossings = 0;
       for (int i = 0; i < r.root_count; ++i) crossings += r.roots[i].crossing;
       REQUIRE((crossings % 2 == 1) == (negative_entry != negative_exit));
@@ -163,5 +165,6 @@ TEST_CASE("a family's cells do not depend on the others, and are floats if asked
       CHECK(some[n].f[i] == all[20 + n].f[i]);
       CHECK(some[n].f[i] == static_cast<double>(static_cast<float>(some[n].f[i])));
     }
-  CHECK_THROWS_WITH(bench::cell_family("nothing"), Catch::StartsWith("cell family 'nothing' is unknown; expected one of random, smooth"));
+  CHECK_THROWS_WITH(bench::cell_family("nothing"),
+                    Catch::StartsWith("cell family 'nothing' is unknown; expected one of random, smooth"));
 }

@@ -31,7 +31,8 @@ TEST_CASE("what cannot be mapped gets one sentence with its path") {
                        says("cannot read " + path + "/none: No such file or directory"));
   CHECK_THROWS_MATCHES(map_file(folder.path), InputError,
                        says("cannot read " + path + ": it is a folder, a file was expected"));
-  CHECK_THROWS_MATCHES(map_file("/dev/null"), InputError, says("cannot read /dev/null: it is not a regular file"));
+  CHECK_THROWS_MATCHES(map_file("/dev/null"), InputError,
+                       says("cannot read /dev/null: it is not a regular file"));
 
   // A pipe without a writer does not make the reader wait.
   REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);

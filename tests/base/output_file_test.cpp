@@ -33,22 +33,23 @@ TEST_CASE("an output file that is given up leaves what was there") {
     std::ofstream(file.temporary()) << "half";
     CHECK(folder.entries() == 2);
     throw std::runtime_error("in the middle");
-  } catch (const std::runtime_error&) {
-  }
+  } catch (const std::runtime_error&) {}
   CHECK(bytes_of(folder / "a.txt") == "old");
   CHECK(folder.entries() == 1);
 
   // A rename that fails counts as given up.
   OutputFile file(folder / "b.txt");
-  CHECK_THROWS_MATCHES(file.commit(), InputError, says("cannot write " + (folder / "b.txt").string() + ": No such file"));
+  CHECK_THROWS_MATCHES(file.commit(), InputError,
+                       says("cannot write " + (folder / "b.txt").string() + ": No such file"));
   CHECK(folder.entries() == 1);
 }
 
 TEST_CASE("places where no file can be written get one sentence") {
   const TemporaryFolder folder;
   const std::string path = folder.path.string();
-  CHECK_THROWS_MATCHES(OutputFile(folder / "none/a.txt"), InputError,
-                       says("cannot write " + path + "/none/a.txt: the folder " + path + "/none does not exist"));
+  CHECK_THROWS_MATCHES(
+      OutputFile(folder / "none/a.txt"), InputError,
+      says("cannot write " + path + "/none/a.txt: the folder " + path + "/none does not exist"));
   CHECK_THROWS_MATCHES(OutputFile(folder.path), InputError,
                        says("cannot write " + path + ": it is a folder, a file name was expected"));
   write_text_file(folder / "file", "");

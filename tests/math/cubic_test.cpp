@@ -31,7 +31,8 @@ TEST_CASE("both forms have the same values") {
     REQUIRE(std::abs(eval(p, s) - exact(p, s)) <= 8 * 0x1p-53);
     REQUIRE(std::abs(eval(q, s) - exact(p, s)) <= 128 * 0x1p-53);
     REQUIRE(eval_derivative(p, s) == Approx(eval_derivative(q, s)).margin(1e-13));
-    REQUIRE(eval_derivative(p, s) == Approx(double(exact(p, s + h) - exact(p, s - h)) / (2 * h)).margin(1e-9));
+    REQUIRE(eval_derivative(p, s) ==
+            Approx(double(exact(p, s + h) - exact(p, s - h)) / (2 * h)).margin(1e-9));
     REQUIRE(value_at_0(p) == eval(p, 0.0));
     REQUIRE(value_at_1(p) == eval(p, 1.0));
     REQUIRE(value_at_0(q) == eval(q, 0.0));
@@ -56,14 +57,16 @@ TEST_CASE("extrema are where the derivative vanishes, in order") {
     REQUIRE(e.first <= e.second);
     for (const double s : {e.first, e.second})
       if (std::abs(s) < 2) REQUIRE(std::abs(eval_derivative(p, s)) < 1e-12);
-    if (e.first > 0 && e.first < 1 && std::abs(e.second - e.first) > 1e-3) REQUIRE(f.first == Approx(e.first).epsilon(1e-9));
+    if (e.first > 0 && e.first < 1 && std::abs(e.second - e.first) > 1e-3)
+      REQUIRE(f.first == Approx(e.first).epsilon(1e-9));
   }
   CHECK(two > 500);
 }
 
 TEST_CASE("extrema of quadratics, lines and huge and tiny cubics") {
   // (s - 1/4)^2: one extremum, the other is nowhere
-  const Extrema<double> e = extrema(BernsteinCubic<double>{0.0625, 0.0625 - 0.5 / 3, 0.0625 - 1.0 / 3 + 1.0 / 3, 0.5625});
+  const Extrema<double> e =
+      extrema(BernsteinCubic<double>{0.0625, 0.0625 - 0.5 / 3, 0.0625 - 1.0 / 3 + 1.0 / 3, 0.5625});
   CHECK((std::abs(e.first - 0.25) < 1e-14 || std::abs(e.second - 0.25) < 1e-14));
   // a line turns nowhere inside
   const Extrema<double> line = extrema(BernsteinCubic<double>{0, 1, 2, 3});
@@ -72,7 +75,8 @@ TEST_CASE("extrema of quadratics, lines and huge and tiny cubics") {
   const BernsteinCubic<double> p = {-1, 2, -2, 1};
   const Extrema<double> middle = extrema(p);
   for (const double scale : {0x1p-900, 0x1p900}) {
-    const Extrema<double> scaled = extrema(BernsteinCubic<double>{p.c0 * scale, p.c1 * scale, p.c2 * scale, p.c3 * scale});
+    const Extrema<double> scaled =
+        extrema(BernsteinCubic<double>{p.c0 * scale, p.c1 * scale, p.c2 * scale, p.c3 * scale});
     CHECK(scaled.first == middle.first);
     CHECK(scaled.second == middle.second);
   }

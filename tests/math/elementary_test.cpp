@@ -22,7 +22,8 @@ template <class T> double error_in_ulps(int (*function)(mpfr_t, const mpfr_t, mp
   mpfr_sub_d(difference, truth, found, MPFR_RNDN);
   const long digits = std::numeric_limits<T>::digits;
   const double error = mpfr_zero_p(truth) ? mpfr_get_d(difference, MPFR_RNDN)
-                                          : std::ldexp(mpfr_get_d(difference, MPFR_RNDN), static_cast<int>(digits - mpfr_get_exp(truth)));
+                                          : std::ldexp(mpfr_get_d(difference, MPFR_RNDN),
+                                                       static_cast<int>(digits - mpfr_get_exp(truth)));
   mpfr_clear(truth);
   mpfr_clear(difference);
   return std::abs(error);
@@ -34,7 +35,8 @@ TEMPLATE_TEST_CASE("cos, acos and cbrt are within 1 ulp", "", float, double) {
   bench::Random random(7, 0);
   double worst[3] = {};
   for (int n = 0; n < 20'000; ++n) {
-    const auto angle = static_cast<TestType>(random.uniform(-7, 7)), cosine = static_cast<TestType>(random.uniform(-1, 1));
+    const auto angle = static_cast<TestType>(random.uniform(-7, 7)),
+               cosine = static_cast<TestType>(random.uniform(-1, 1));
     const auto number = static_cast<TestType>(random.sign() * std::exp2(random.uniform(-60, 60)));
     worst[0] = std::max(worst[0], error_in_ulps(mpfr_cos, angle, isocast::cos(angle)));
     worst[1] = std::max(worst[1], error_in_ulps(mpfr_acos, cosine, isocast::acos(cosine)));

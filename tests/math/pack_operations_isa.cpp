@@ -70,6 +70,7 @@ template <class T> std::uint32_t lanes_of(const T* a, const T* b) {
 
 }  // namespace
 
-const test::PackOperations pack_operation_table = {apply_all<float>, apply_all<double>, lanes_of<float>, lanes_of<double>};
+const test::PackOperations pack_operation_table = {apply_all<float>, apply_all<double>, lanes_of<float>,
+                                                   lanes_of<double>};
 
 }  // namespace isocast::inline ISO_ISA

@@ -13,7 +13,8 @@ TEMPLATE_TEST_CASE("inverse_power_of_two brings numbers to [1, 2)", "", float, d
   using Limits = std::numeric_limits<TestType>;
   bench::Random random(2, 0);
   for (int n = 0; n < 10'000; ++n) {
-    const TestType a = static_cast<TestType>(random.sign() * std::exp2(random.uniform(Limits::min_exponent, Limits::max_exponent - 2)));
+    const TestType a = static_cast<TestType>(
+        random.sign() * std::exp2(random.uniform(Limits::min_exponent, Limits::max_exponent - 2)));
     const TestType p = inverse_power_of_two(a);
     int exponent;
     REQUIRE(std::frexp(p, &exponent) == TestType(0.5));
@@ -21,7 +22,8 @@ TEMPLATE_TEST_CASE("inverse_power_of_two brings numbers to [1, 2)", "", float, d
     REQUIRE(p * std::abs(a) < 2);
   }
   // finite and not zero for everything
-  for (const TestType a : {TestType(0), Limits::denorm_min(), Limits::max(), Limits::infinity(), Limits::quiet_NaN()}) {
+  for (const TestType a :
+       {TestType(0), Limits::denorm_min(), Limits::max(), Limits::infinity(), Limits::quiet_NaN()}) {
     CHECK(inverse_power_of_two(a) > 0);
     CHECK(inverse_power_of_two(a) < Limits::infinity());
   }
@@ -40,7 +42,8 @@ TEMPLATE_TEST_CASE("lerp: exact at both ends, of one sign between", "", float, d
   }
 }
 
-TEMPLATE_TEST_CASE("signs are sign bits; min and max return the second operand beside a NaN", "", float, double) {
+TEMPLATE_TEST_CASE("signs are sign bits; min and max return the second operand beside a NaN", "", float,
+                   double) {
   const TestType nan = std::numeric_limits<TestType>::quiet_NaN();
   CHECK(negative(-TestType(0)));
   CHECK_FALSE(negative(TestType(0)));
@@ -49,5 +52,5 @@ TEMPLATE_TEST_CASE("signs are sign bits; min and max return the second operand b
   CHECK(std::isnan(min(TestType(2), nan)));
   CHECK(clamp01(TestType(-3)) == 0);
   CHECK(clamp01(TestType(3)) == 1);
-  CHECK(std::signbit(copysign(TestType(2), -TestType(0))));
+  CHECK(std::signbit(isocast::copysign(TestType(2), -TestType(0))));
 }

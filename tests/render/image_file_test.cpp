@@ -13,11 +13,11 @@
 #include <utility>
 
 using namespace isocast;
+using Catch::Contains;
+using Catch::StartsWith;
 using test::bytes_of;
 using test::says;
 using test::TemporaryFolder;
-using Catch::Contains;
-using Catch::StartsWith;
 
 namespace {
 
@@ -46,7 +46,8 @@ std::map<std::string, std::string> exr_attributes(const std::string& bytes) {
   std::map<std::string, std::string> attributes;
   for (std::size_t at = 8; bytes.at(at) != 0;) {
     const std::string name = &bytes[at], type = &bytes.at(at + name.size() + 1);
-    const std::size_t size_at = at + name.size() + 1 + type.size() + 1, size = little_endian_at(bytes, size_at);
+    const std::size_t size_at = at + name.size() + 1 + type.size() + 1;
+    const std::size_t size = little_endian_at(bytes, size_at);
     attributes[name] = bytes.substr(size_at + 4, size);
     at = size_at + 4 + size;
   }
@@ -79,7 +80,9 @@ TEST_CASE("sRGB codes are the nearest ones") {
 
   // Every code's own linear value gives the code back, and the formula agrees away from ties.
   const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-  const auto coded = [](double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; };
+  const auto coded = [](double v) {
+    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+  };
   for (int code = 0; code < 256; ++code) CHECK(srgb_code(float(linear(code / 255.0))) == code);
   int compared = 0;
   for (float v = 1e-5f; v < 1; v += 1e-5f) {
@@ -127,7 +130,8 @@ TEST_CASE("an EXR gives every layer back bit for bit") {
       INFO(layer.channels[k]);
       REQUIRE(channel >= 0);
       bool same = true;
-      for (int id = 0; id < 37 * 70; ++id) same &= image.at(id % 37, id / 37, channel) == layer.data[id * stride + k];
+      for (int id = 0; id < 37 * 70; ++id)
+        same &= image.at(id % 37, id / 37, channel) == layer.data[id * stride + k];
       CHECK(same);
     }
   }
@@ -162,8 +166,9 @@ TEST_CASE("the same pixels give the same bytes, without time, host or program") 
   std::vector<std::string> names;
   const auto attributes = exr_attributes(bytes_of(folder / "a.exr"));
   for (const auto& [name, value] : attributes) names.push_back(name);
-  CHECK(names == std::vector<std::string>{"capDate", "channels", "compression", "dataWindow", "displayWindow", "lineOrder",
-                                          "pixelAspectRatio", "screenWindowCenter", "screenWindowWidth"});
+  CHECK(names == std::vector<std::string>{"capDate", "channels", "compression", "dataWindow", "displayWindow",
+                                          "lineOrder", "pixelAspectRatio", "screenWindowCenter",
+                                          "screenWindowWidth"});
   CHECK(attributes.at("capDate").empty());
   names.clear();
   for (const auto& [name, value] : png_chunks(bytes_of(folder / "a.png"))) {
@@ -187,7 +192,20 @@ TEST_CASE("files that are no pictures get one sentence") {
   write_text_file(folder / "empty.exr", "");
   write_text_file(folder / "text.exr", "not a picture\n");
   for (const std::string name : {"empty.exr", "text.exr"})
-    CHECK_THROWS_MATCHES(read_exr(folder / name), InputError, says("cannot read " + (folder / name).string()));
+    CHECK_THROWS_MATCHES(read_exr(folder / name), InputError,
+                         says("cannot read " + (folder / name).string()));
+}
+
+TEST_CASE("an EXR in tiles is refused") {
+  const TemporaryFolder folder;
+  OIIO::ImageSpec spec(64, 64, 1, OIIO::TypeFloat);
+  spec.tile_width = spec.tile_height = 32;
+  const std::vector<float> data(64 * 64);
+  const auto output = OIIO::ImageOutput::create("openexr");
+  REQUIRE(output->open((folder / "p.exr").string(), spec));
+  REQUIRE(output->write_image(OIIO::TypeFloat, data.data()));
+  REQUIRE(output->close());
+  CHECK_THROWS_MATCHES(read_exr(folder / "p.exr"), InputError, says("it is a deep or tiled image"));
 }
 
 TEST_CASE("a damaged picture never crashes the reader") {
@@ -206,8 +224,9 @@ TEST_CASE("a damaged picture never crashes the reader") {
     }
   };
 
-  // Cut anywhere it is refused; with a byte of the header or the pixels turned over it may pass, with other numbers.
-  for (std::size_t size = 0; size < good.size(); size += 1 + good.size() / 64) CHECK(refused(good.substr(0, size)));
+  // Cut anywhere it is refused; with a byte turned over it may pass, with other numbers.
+  for (std::size_t size = 0; size < good.size(); size += 1 + good.size() / 64)
+    CHECK(refused(good.substr(0, size)));
   int count = 0;
   for (std::size_t at = 0; at < good.size(); at += at < 500 ? 1 : good.size() / 256) {
     std::string bytes = good;
@@ -223,11 +242,14 @@ TEST_CASE("a header's size is not believed") {
   write_exr(folder / "p.exr", 40, 30, {{{"R"}, data.data()}});
   std::string bytes = bytes_of(folder / "p.exr");
 
-  // Both windows get 2^31 - 2 columns, then 2^16 + 1.
-  for (const std::uint32_t last : {0x7ffffffdu, 0x10000u}) {
+  // Both windows get 2^31 - 2 columns, then 2^15 + 1.
+  const std::pair<std::uint32_t, std::string> cases[] = {
+      {0x7ffffffdu, "Invalid display window"},
+      {0x8000u, "it has 32769x30 pixels of 1 channels, at most 32768x32768 of 64 were expected"}};
+  for (const auto& [last, message] : cases) {
     for (const std::string window : {"dataWindow", "displayWindow"})
       std::memcpy(&bytes[bytes.find(window) + window.size() + 1 + sizeof("box2i") + 4 + 8], &last, 4);
     write_text_file(folder / "p.exr", bytes);
-    CHECK_THROWS_MATCHES(read_exr(folder / "p.exr"), InputError, says("cannot read"));
+    CHECK_THROWS_MATCHES(read_exr(folder / "p.exr"), InputError, says(message));
   }
 }

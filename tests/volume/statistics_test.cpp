@@ -11,7 +11,9 @@ using namespace isocast;
 
 namespace {
 
-template <class S> VolumeStatistics statistics_of_values(SampleType type, const std::vector<S>& values, double slope = 1, double intercept = 0) {
+template <class S>
+VolumeStatistics statistics_of_values(SampleType type, const std::vector<S>& values, double slope = 1,
+                                      double intercept = 0) {
   Volume volume;
   volume.type = type;
   volume.dims = {std::int64_t(values.size()), 1, 1};
@@ -21,7 +23,9 @@ template <class S> VolumeStatistics statistics_of_values(SampleType type, const 
   return statistics_of(volume);
 }
 
-std::int64_t total(const Histogram& histogram) { return std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::int64_t(0)); }
+std::int64_t total(const Histogram& histogram) {
+  return std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::int64_t(0));
+}
 
 // Strictly inside the range, none twice.
 void check_suggestions(const VolumeStatistics& s) {
@@ -54,7 +58,8 @@ TEST_CASE("bytes are counted exactly", "[statistics]") {
 TEST_CASE("slope and intercept scale everything, also a negative slope", "[statistics]") {
   std::vector<std::int16_t> values;
   for (int v = -1000; v <= 3000; ++v) values.push_back(std::int16_t(v));
-  const VolumeStatistics up = statistics_of_values(SampleType::i16, values, 0.5, 10), down = statistics_of_values(SampleType::i16, values, -0.5, 10);
+  const VolumeStatistics up = statistics_of_values(SampleType::i16, values, 0.5, 10),
+                         down = statistics_of_values(SampleType::i16, values, -0.5, 10);
   CHECK(up.min == -490);
   CHECK(up.max == 1510);
   CHECK(up.percentiles[4].value == 510);
@@ -77,7 +82,8 @@ TEST_CASE("every type is read", "[statistics]") {
   check(statistics_of_values<std::int8_t>(SampleType::i8, {-128, 0, 1, 127}), -128, 127);
   check(statistics_of_values<std::uint16_t>(SampleType::u16, {0, 5, 7, 65535}), 0, 65535);
   check(statistics_of_values<std::uint32_t>(SampleType::u32, {0, 5, 7, 4294967295u}), 0, 4294967295.0);
-  check(statistics_of_values<std::int32_t>(SampleType::i32, {-2147483647 - 1, 5, 7, 2147483647}), -2147483648.0, 2147483647);
+  check(statistics_of_values<std::int32_t>(SampleType::i32, {-2147483647 - 1, 5, 7, 2147483647}),
+        -2147483648.0, 2147483647);
   check(statistics_of_values<std::uint16_t>(SampleType::f16, {0x3c00, 0xc000, 0, 0x7bff}), -2, 65504);
   check(statistics_of_values<float>(SampleType::f32, {-1e38f, 0, 1, 3e38f}), double(-1e38f), double(3e38f));
   check(statistics_of_values<double>(SampleType::f64, {-1.7e308, 0, 1, 1.7e308}), -1.7e308, 1.7e308);
@@ -116,7 +122,8 @@ TEST_CASE("Otsu parts two classes in the middle of the gap", "[statistics]") {
   // two humps around 50 and 200
   std::vector<std::uint8_t> values;
   for (int v = 0; v < 256; ++v) {
-    const double hump = 900 * std::exp(-(v - 50) * (v - 50) / 200.0) + 300 * std::exp(-(v - 200) * (v - 200) / 200.0) + 1;
+    const double hump =
+        900 * std::exp(-(v - 50) * (v - 50) / 200.0) + 300 * std::exp(-(v - 200) * (v - 200) / 200.0) + 1;
     values.insert(values.end(), static_cast<std::size_t>(hump), std::uint8_t(v));
   }
   const VolumeStatistics humps = statistics_of_values(SampleType::u8, values);

@@ -16,7 +16,8 @@ constexpr std::array<std::uint8_t, 256> kDigits = [] {
   std::array<std::uint8_t, 256> digits{};
   digits.fill(kBad);
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < kAlphabet.size(); ++i) digits[static_cast<std::uint8_t>(kAlphabet[i])] = static_cast<std::uint8_t>(i);
+  for (std::size_t i = 0; i < kAlphabet.size(); ++i)
+    digits[static_cast<std::uint8_t>(kAlphabet[i])] = static_cast<std::uint8_t>(i);
   for (const char c : {' ', '\t', '\r', '\n'}) digits[static_cast<std::uint8_t>(c)] = kSpace;
   digits['='] = kPad;
   return digits;
@@ -24,7 +25,8 @@ constexpr std::array<std::uint8_t, 256> kDigits = [] {
 
 }  // namespace
 
-std::vector<std::byte> decode_base64(std::string_view text, std::size_t limit, const std::filesystem::path& path) {
+std::vector<std::byte> decode_base64(std::string_view text, std::size_t limit,
+                                     const std::filesystem::path& path) {
   const auto fail = [&](std::size_t at, std::string_view what) {
     return read_error(path, fmt::format("the base64 data is damaged at its character {}: {}", at, what));
   };

@@ -9,7 +9,8 @@
 namespace isocast {
 namespace {
 
-template <std::unsigned_integral U> void copy_swapped(const std::byte* from, std::byte* to, std::size_t count) {
+template <std::unsigned_integral U>
+void copy_swapped(const std::byte* from, std::byte* to, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     U value;
     std::memcpy(&value, from + i * sizeof(U), sizeof value);
@@ -33,7 +34,8 @@ void copy_to_native(std::span<const std::byte> from, std::byte* to, std::size_t 
   Progress progress("converting", static_cast<std::int64_t>(from.size()));
   oneapi::tbb::parallel_for(std::size_t(0), (from.size() + kSlab - 1) / kSlab, [&](std::size_t slab) {
     throw_if_interrupted();
-    const std::span<const std::byte> part = from.subspan(slab * kSlab, std::min(kSlab, from.size() - slab * kSlab));
+    const std::span<const std::byte> part =
+        from.subspan(slab * kSlab, std::min(kSlab, from.size() - slab * kSlab));
     copy_slab(part.data(), to + slab * kSlab, part.size(), width, big_endian);
     progress.add(static_cast<std::int64_t>(part.size()));
   });

@@ -10,7 +10,9 @@
 
 namespace isocast {
 
-[[nodiscard]] constexpr bool is_native(bool big_endian) { return big_endian == (std::endian::native == std::endian::big); }
+[[nodiscard]] constexpr bool is_native(bool big_endian) {
+  return big_endian == (std::endian::native == std::endian::big);
+}
 
 [[nodiscard]] inline std::uint8_t swapped(std::uint8_t v) { return v; }
 [[nodiscard]] inline std::uint16_t swapped(std::uint16_t v) { return __builtin_bswap16(v); }
@@ -18,7 +20,8 @@ namespace isocast {
 [[nodiscard]] inline std::uint64_t swapped(std::uint64_t v) { return __builtin_bswap64(v); }
 
 /// One unsigned number at any address.
-template <std::unsigned_integral U> [[nodiscard]] U load_number(const std::byte* from, bool big_endian) {
+template <std::unsigned_integral U>
+[[nodiscard]] U load_number(const std::byte* from, bool big_endian) {
   U value;
   std::memcpy(&value, from, sizeof value);
   return is_native(big_endian) ? value : swapped(value);

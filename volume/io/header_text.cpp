@@ -29,7 +29,8 @@ std::string lower_case(std::string_view text) {
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kSpace = " \t\r\n";
   const std::size_t first = text.find_first_not_of(kSpace);
-  return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+  return first == text.npos ? std::string_view{}
+                            : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
 std::vector<std::string_view> split_words(std::string_view text, std::string_view separators) {
@@ -43,7 +44,8 @@ std::vector<std::string_view> split_words(std::string_view text, std::string_vie
   return words;
 }
 
-template <class N> std::optional<N> to_number(std::string_view word) {
+template <class N>
+std::optional<N> to_number(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   N value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -51,7 +53,8 @@ template <class N> std::optional<N> to_number(std::string_view word) {
   return value;
 }
 
-template <class N> std::optional<std::vector<N>> to_numbers(std::string_view text, std::size_t count) {
+template <class N>
+std::optional<std::vector<N>> to_numbers(std::string_view text, std::size_t count) {
   const std::vector<std::string_view> words = split_words(text);
   if (words.size() != count) return std::nullopt;
   std::vector<N> numbers;

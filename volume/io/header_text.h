@@ -21,11 +21,15 @@ namespace isocast {
 [[nodiscard]] std::string lower_case(std::string_view text);
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 /// The words between any of `separators`, none of them empty.
-[[nodiscard]] std::vector<std::string_view> split_words(std::string_view text, std::string_view separators = " \t\r\n");
+[[nodiscard]] std::vector<std::string_view> split_words(std::string_view text,
+                                                        std::string_view separators = " \t\r\n");
 
-/// A word that is a number as a whole, for N int64_t, uint64_t and double ("nan" and "inf" are numbers); else nothing.
-template <class N> [[nodiscard]] std::optional<N> to_number(std::string_view word);
+/// A word that is a number as a whole, for N int64_t, uint64_t and double ("nan" and "inf" are numbers); else
+/// nothing.
+template <class N>
+[[nodiscard]] std::optional<N> to_number(std::string_view word);
 /// All words as numbers, exactly `count` of them; else nothing.
-template <class N> [[nodiscard]] std::optional<std::vector<N>> to_numbers(std::string_view text, std::size_t count);
+template <class N>
+[[nodiscard]] std::optional<std::vector<N>> to_numbers(std::string_view text, std::size_t count);
 
 }  // namespace isocast

@@ -41,8 +41,9 @@ std::size_t Inflater::read(std::span<std::byte> out) {
     if (code == Z_STREAM_END) finish_member();
     else if (code == Z_BUF_ERROR && fed_ == compressed_.size()) finished_ = true;
     else if (code != Z_OK && code != Z_BUF_ERROR)
-      throw read_error(path_, fmt::format("the compressed data is damaged near its byte {} ({})", fed_ - stream_->avail_in,
-                                          stream_->msg ? stream_->msg : "not a zlib or gzip stream"));
+      throw read_error(
+          path_, fmt::format("the compressed data is damaged near its byte {} ({})", fed_ - stream_->avail_in,
+                             stream_->msg ? stream_->msg : "not a zlib or gzip stream"));
   }
   return filled;
 }
@@ -51,7 +52,8 @@ std::uint64_t Inflater::skip(std::uint64_t bytes) {
   std::byte ignored[4096];
   std::uint64_t skipped = 0;
   while (skipped < bytes && !finished_)
-    skipped += read({ignored, static_cast<std::size_t>(std::min<std::uint64_t>(sizeof ignored, bytes - skipped))});
+    skipped +=
+        read({ignored, static_cast<std::size_t>(std::min<std::uint64_t>(sizeof ignored, bytes - skipped))});
   return skipped;
 }
 

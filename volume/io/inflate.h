@@ -12,10 +12,12 @@ struct z_stream_s;
 namespace isocast {
 
 /// The most that a deflate stream of so many bytes can hold: it packs at most 1032 to one.
-[[nodiscard]] constexpr std::uint64_t most_inflated_bytes(std::uint64_t compressed) { return 1032 * (compressed + 1); }
+[[nodiscard]] constexpr std::uint64_t most_inflated_bytes(std::uint64_t compressed) {
+  return 1032 * (compressed + 1);
+}
 
-/// Reads on in a zlib stream or in gzip members that follow one another, told apart by their first bytes. `compressed` must
-/// outlive it. Memory does not depend on what the stream holds.
+/// Reads on in a zlib stream or in gzip members that follow one another, told apart by their first bytes.
+/// `compressed` must outlive it. Memory does not depend on what the stream holds.
 class Inflater {
  public:
   Inflater(std::span<const std::byte> compressed, std::filesystem::path path);
@@ -23,8 +25,8 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  /// Fills `out`, returns the bytes filled: fewer where the stream ends. Throws InputError (with the path and the position)
-  /// when the stream is damaged.
+  /// Fills `out`, returns the bytes filled: fewer where the stream ends. Throws InputError (with the path and
+  /// the position) when the stream is damaged.
   std::size_t read(std::span<std::byte> out);
   /// Reads `bytes` and forgets them, returns how many there were.
   std::uint64_t skip(std::uint64_t bytes);

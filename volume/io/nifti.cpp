@@ -18,9 +18,11 @@ Volume read_nifti(const std::filesystem::path& path) {
   std::byte start[kNiftiHeaderBytes];
   std::size_t length = std::min(file.bytes.size(), sizeof start);
   std::optional<Inflater> inflater;
-  if (length >= 2 && file.bytes[0] == std::byte(0x1f) && file.bytes[1] == std::byte(0x8b)) length = inflater.emplace(file.bytes, path).read(start);
+  if (length >= 2 && file.bytes[0] == std::byte(0x1f) && file.bytes[1] == std::byte(0x8b))
+    length = inflater.emplace(file.bytes, path).read(start);
   else std::copy_n(file.bytes.begin(), length, start);
-  const NiftiHeader header = module_table<NiftiModule>("nifti", "reading " + path.string()).interpret({start, length});
+  const NiftiHeader header =
+      module_table<NiftiModule>("nifti", "reading " + path.string()).interpret({start, length});
   if (!header.problem.empty()) throw read_error(path, header.problem);
 
   // the description

@@ -11,11 +11,11 @@ namespace isocast {
 /// Size of the larger header, that of NIfTI-2.
 inline constexpr std::size_t kNiftiHeaderBytes = 540;
 
-/// What a header says. dims holds 7 sizes, 1 where the header has fewer; type is libnifti's word ("UINT8"); problem: why the
-/// header cannot be used, and then nothing else is set.
+/// What a header says. Missing dims are 1; type is libnifti's word ("UINT8"); problem: why the header cannot be
+/// used, and then nothing else is set.
 struct NiftiHeader {
   std::string problem;
-  std::int64_t dims[7] = {};
+  std::int64_t dims[3] = {1, 1, 1};
   std::string type;
   bool big_endian = false;
   std::uint64_t offset = 0;  // of the samples

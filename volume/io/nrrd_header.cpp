@@ -122,9 +122,12 @@ const std::map<std::string_view, Handler> kHandlers = {
     {"type", [](NrrdHeader& header, const Field& field) { header.type = field.value; }},
     {"encoding", [](NrrdHeader& header, const Field& field) { header.encoding = lower_case(field.value); }},
     {"endian", read_endian},
-    {"spacings", [](NrrdHeader& header, const Field& field) { read_axis_numbers(header, field, &NrrdAxis::spacing); }},
-    {"axismins", [](NrrdHeader& header, const Field& field) { read_axis_numbers(header, field, &NrrdAxis::min); }},
-    {"axismaxs", [](NrrdHeader& header, const Field& field) { read_axis_numbers(header, field, &NrrdAxis::max); }},
+    {"spacings",
+     [](NrrdHeader& header, const Field& field) { read_axis_numbers(header, field, &NrrdAxis::spacing); }},
+    {"axismins",
+     [](NrrdHeader& header, const Field& field) { read_axis_numbers(header, field, &NrrdAxis::min); }},
+    {"axismaxs",
+     [](NrrdHeader& header, const Field& field) { read_axis_numbers(header, field, &NrrdAxis::max); }},
     {"centers", read_centers},
     {"centerings", read_centers},
     {"spacedimension", read_space_dimension},
@@ -135,11 +138,13 @@ const std::map<std::string_view, Handler> kHandlers = {
     {"datafile", [](NrrdHeader& header, const Field& field) { header.data_file = field.value; }},
 };
 
-void read_key(NrrdHeader& header, const std::filesystem::path& path, int line, std::string_view key, std::string_view value) {
+void read_key(NrrdHeader& header, const std::filesystem::path& path, int line, std::string_view key,
+              std::string_view value) {
   if (key != "isocast_slope" && key != "isocast_intercept") return;
   const std::optional<double> number = to_number<double>(trimmed(value));
   if (!number)
-    throw read_error(path, fmt::format("line {}: key '{}' has the value {}, expected a number", line, key, printable(value)));
+    throw read_error(path, fmt::format("line {}: key '{}' has the value {}, expected a number", line, key,
+                                       printable(value)));
   (key == "isocast_slope" ? header.slope : header.intercept) = *number;
 }
 
@@ -149,15 +154,18 @@ void read_line(NrrdHeader& header, const std::filesystem::path& path, int line, 
   // "field: value" or "key:=value", whichever colon comes first
   const std::size_t colon = text.find(':');
   if (colon == text.npos)
-    throw read_error(path, fmt::format("line {}: found {}, expected 'field: value', 'key:=value' or '#'", line, printable(text)));
-  if (text.substr(colon).starts_with(":=")) return read_key(header, path, line, text.substr(0, colon), text.substr(colon + 2));
+    throw read_error(path, fmt::format("line {}: found {}, expected 'field: value', 'key:=value' or '#'",
+                                       line, printable(text)));
+  if (text.substr(colon).starts_with(":="))
+    return read_key(header, path, line, text.substr(0, colon), text.substr(colon + 2));
 
   Field field{path, line, lower_case(text.substr(0, colon)), trimmed(text.substr(colon + 1))};
   std::erase(field.name, ' ');
   const auto handler = kHandlers.find(field.name);
   if (handler == kHandlers.end()) return;
   constexpr std::size_t kLongest = 4096;
-  if (text.size() > kLongest) throw field.error(fmt::format("field '{}' is longer than {} characters", field.name, kLongest));
+  if (text.size() > kLongest)
+    throw field.error(fmt::format("field '{}' is longer than {} characters", field.name, kLongest));
   handler->second(header, field);
 }
 
@@ -172,17 +180,20 @@ NrrdHeader parse_nrrd_header(std::string_view text, const std::filesystem::path&
     if (content.ends_with('\r')) content.remove_suffix(1);
 
     // the magic, then fields up to the first empty line
-    if (line == 1 && !(content.size() == 8 && content.starts_with("NRRD000") && content[7] >= '1' && content[7] <= '5'))
-      throw read_error(path, fmt::format("it starts with {}, expected the magic NRRD0001 to NRRD0005", printable(content)));
+    if (line == 1 &&
+        !(content.size() == 8 && content.starts_with("NRRD000") && content[7] >= '1' && content[7] <= '5'))
+      throw read_error(path, fmt::format("it starts with {}, expected the magic NRRD0001 to NRRD0005",
+                                         printable(content)));
     if (content.empty()) header.ended = true;
     else if (line > 1) read_line(header, path, line, content);
   }
   if (header.bytes == 0) throw read_error(path, "it is empty, expected a NRRD header");
 
   // what no reader can do without
-  for (const auto& [name, missing] : {std::pair("dimension", header.axes.empty()), std::pair("type", header.type.empty()),
-                                      std::pair("encoding", header.encoding.empty()),
-                                      std::pair("sizes", !header.axes.empty() && header.axes[0].size == 0)})
+  for (const auto& [name, missing] :
+       {std::pair("dimension", header.axes.empty()), std::pair("type", header.type.empty()),
+        std::pair("encoding", header.encoding.empty()),
+        std::pair("sizes", !header.axes.empty() && header.axes[0].size == 0)})
     if (missing) throw read_error(path, fmt::format("its header has no field '{}'", name));
   return header;
 }

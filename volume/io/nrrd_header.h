@@ -22,8 +22,8 @@ struct NrrdAxis {
   std::optional<Double3> direction;  // space directions, nothing for "none"
 };
 
-/// The fields that matter to a reader of scalar volumes; the others are skipped. slope and intercept come from the keys
-/// isocast_slope and isocast_intercept.
+/// The fields that matter to a reader of scalar volumes; the others are skipped. slope and intercept come
+/// from the keys isocast_slope and isocast_intercept.
 struct NrrdHeader {
   std::string type, encoding, data_file;
   std::optional<bool> big_endian;
@@ -36,7 +36,8 @@ struct NrrdHeader {
   bool ended = false;     // by an empty line: samples may follow
 };
 
-/// Parses the header at the start of `text` (magic NRRD0001 to NRRD0005). Throws InputError with the path and the line.
+/// Parses the header at the start of `text` (magic NRRD0001 to NRRD0005). Throws InputError with the path and
+/// the line.
 [[nodiscard]] NrrdHeader parse_nrrd_header(std::string_view text, const std::filesystem::path& path);
 
 }  // namespace isocast

@@ -24,17 +24,23 @@ Volume read_raw(const std::filesystem::path& path, const ReadOptions& options) {
   // the word after the dimensions is the type, as in the names of public collections
   const std::string stem = path.stem().string();
   const std::vector<std::string_view> words = split_words(stem, "_-. ");
-  const auto found = std::ranges::find_if(words, [](std::string_view word) { return dims_from_word(word).has_value(); });
+  const auto found =
+      std::ranges::find_if(words, [](std::string_view word) { return dims_from_word(word).has_value(); });
   const bool type_follows = found != words.end() && found + 1 != words.end();
 
   if (!options.dims && found == words.end())
-    throw read_error(path, "the dimensions of a .raw file must be given: --dims X,Y,Z, or a name like bonsai_256x256x256_uint8.raw");
+    throw read_error(path,
+                     "the dimensions of a .raw file must be given: --dims X,Y,Z, or a name like "
+                     "bonsai_256x256x256_uint8.raw");
   if (!options.type && !type_follows)
-    throw read_error(path, "the sample type of a .raw file must be given: --type u8, or a name like bonsai_256x256x256_uint8.raw");
+    throw read_error(path,
+                     "the sample type of a .raw file must be given: --type u8, or a name like "
+                     "bonsai_256x256x256_uint8.raw");
   Volume volume;
   volume.format = "raw";
   volume.dims = options.dims ? *options.dims : *dims_from_word(*found);
-  volume.type = options.type ? *options.type : sample_type_from_word(found[1], "the name " + path.filename().string());
+  volume.type =
+      options.type ? *options.type : sample_type_from_word(found[1], "the name " + path.filename().string());
   place_samples(volume, map_file(path), options.skip, options.big_endian, path);
   return volume;
 }

@@ -17,14 +17,19 @@ struct Reader {
   std::string_view extension;
   Volume (*read)(const std::filesystem::path&);
 };
-constexpr Reader kReaders[] = {
-    {".nrrd", read_nrrd}, {".nhdr", read_nrrd}, {".nii", read_nifti}, {".nii.gz", read_nifti}, {".vti", read_vti}};
+constexpr Reader kReaders[] = {{".nrrd", read_nrrd},
+                               {".nhdr", read_nrrd},
+                               {".nii", read_nifti},
+                               {".nii.gz", read_nifti},
+                               {".vti", read_vti}};
 constexpr std::string_view kKnownElsewhere[] = {".vdb", ".nvdb", ".mhd", ".mha"};
 
 // Rays need the way back into the grid: three finite axes that are not nearly in one plane.
 void check_transform(const Transform& transform, const std::filesystem::path& path) {
   const auto finite = [](const Transform& t) {
-    return std::ranges::all_of(t.m, [](const auto& row) { return std::ranges::all_of(row, [](double v) { return std::isfinite(v); }); });
+    return std::ranges::all_of(t.m, [](const auto& row) {
+      return std::ranges::all_of(row, [](double v) { return std::isfinite(v); });
+    });
   };
   if (!finite(transform)) throw read_error(path, "its spacing, origin or axes are not finite numbers");
   constexpr double kFlat = 1e-9;
@@ -40,17 +45,23 @@ Volume read_volume(const std::filesystem::path& path, const ReadOptions& options
   const std::string name = lower_case(path.filename().string());
   if (name.ends_with(".raw")) return read_raw(path, options);
 
-  const auto reader = std::ranges::find_if(kReaders, [&](const Reader& r) { return name.ends_with(r.extension); });
+  const auto reader =
+      std::ranges::find_if(kReaders, [&](const Reader& r) { return name.ends_with(r.extension); });
   if (reader == std::end(kReaders)) {
-    const bool known = std::ranges::any_of(kKnownElsewhere, [&](std::string_view e) { return name.ends_with(e); });
+    const bool known =
+        std::ranges::any_of(kKnownElsewhere, [&](std::string_view e) { return name.ends_with(e); });
     throw read_error(path, fmt::format("{}, expected .raw .nrrd .nhdr .nii .nii.gz or .vti",
-                                       known ? "this format is not supported by this build" : "its extension is that of no volume format"));
+                                       known ? "this format is not supported by this build"
+                                             : "its extension is that of no volume format"));
   }
-  if (options != ReadOptions{}) throw read_error(path, "dims, type, endian and skip can be given for .raw files only");
+  if (options != ReadOptions{})
+    throw read_error(path, "dims, type, endian and skip can be given for .raw files only");
   Volume volume = reader->read(path);
   check_transform(volume.world_from_grid, path);
   if (!std::isfinite(volume.slope) || volume.slope == 0 || !std::isfinite(volume.intercept))
-    throw read_error(path, fmt::format("its values are {} * stored + {}, expected a finite slope other than 0", volume.slope, volume.intercept));
+    throw read_error(path,
+                     fmt::format("its values are {} * stored + {}, expected a finite slope other than 0",
+                                 volume.slope, volume.intercept));
   return volume;
 }
 

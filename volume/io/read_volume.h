@@ -10,8 +10,8 @@
 
 namespace isocast {
 
-/// What a .raw file does not say itself; what is left open comes from its name (bonsai_256x256x256_uint8.raw). `skip` counts
-/// the bytes before the samples.
+/// What a .raw file does not say itself; what is left open comes from its name
+/// (bonsai_256x256x256_uint8.raw). `skip` counts the bytes before the samples.
 struct ReadOptions {
   std::optional<std::array<std::int64_t, 3>> dims;
   std::optional<SampleType> type;
@@ -25,8 +25,8 @@ struct ReadOptions {
 ///
 /// samples  stay in the type of the file; mapped in place when uncompressed, aligned and in native byte order
 /// world    the file's own space, units and handedness: a grid point is the centre of a sample
-/// throws   InputError for any other extension, options that the format does not take, and every fault of the file; memory
-///          is taken only for sizes that the file's own size makes plausible
+/// throws   InputError for any other extension, options that the format does not take, and every fault of the
+///          file; memory is taken only for sizes that the file's own size makes plausible
 [[nodiscard]] Volume read_volume(const std::filesystem::path& path, const ReadOptions& options = {});
 
 }  // namespace isocast

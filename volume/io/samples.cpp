@@ -14,7 +14,8 @@ namespace isocast {
 namespace {
 
 std::string described(const Volume& volume) {
-  return fmt::format("{} x {} x {} samples of type {}", volume.dims[0], volume.dims[1], volume.dims[2], name_of(volume.type));
+  return fmt::format("{} x {} x {} samples of type {}", volume.dims[0], volume.dims[1], volume.dims[2],
+                     name_of(volume.type));
 }
 
 }  // namespace
@@ -23,7 +24,8 @@ std::uint64_t checked_bytes(const Volume& volume, const std::filesystem::path& p
   std::uint64_t bytes = size_of(volume.type);
   for (const std::int64_t n : volume.dims) {
     if (n < 1 || n > kMaxDim)
-      throw read_error(path, fmt::format("found {}, expected dimensions between 1 and {}", described(volume), kMaxDim));
+      throw read_error(
+          path, fmt::format("found {}, expected dimensions between 1 and {}", described(volume), kMaxDim));
     if (__builtin_mul_overflow(bytes, static_cast<std::uint64_t>(n), &bytes) || bytes > INT64_MAX)
       throw read_error(path, described(volume) + " are more than 64-bit sizes can count");
   }
@@ -32,12 +34,14 @@ std::uint64_t checked_bytes(const Volume& volume, const std::filesystem::path& p
 
 std::byte* allocate_samples(Volume& volume, const std::filesystem::path& path) {
   const std::uint64_t bytes = checked_bytes(volume, path);
-  const std::uint64_t memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  const std::uint64_t memory =
+      static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   std::byte* const samples = bytes < memory ? static_cast<std::byte*>(std::malloc(bytes)) : nullptr;
   if (!samples)
-    throw read_error(path, fmt::format("{} need {} MB of memory, this machine has {} MB", described(volume), bytes / 1000000,
-                                       memory / 1000000));
-  volume.storage = std::shared_ptr<const void>(samples, [](const void* p) { std::free(const_cast<void*>(p)); });
+    throw read_error(path, fmt::format("{} need {} MB of memory, this machine has {} MB", described(volume),
+                                       bytes / 1000000, memory / 1000000));
+  volume.storage =
+      std::shared_ptr<const void>(samples, [](const void* p) { std::free(const_cast<void*>(p)); });
   volume.samples = samples;
   volume.mapped = false;
   return samples;
@@ -65,8 +69,8 @@ void inflate_samples(Volume& volume, Inflater& inflater, bool big_endian, const 
   const std::uint64_t bytes = checked_bytes(volume, path);
   const std::uint64_t most = most_inflated_bytes(inflater.compressed_bytes());
   if (bytes > most)
-    throw read_error(path, fmt::format("expected {} bytes for {}, the compressed data can hold at most {}", bytes,
-                                       described(volume), most));
+    throw read_error(path, fmt::format("expected {} bytes for {}, the compressed data can hold at most {}",
+                                       bytes, described(volume), most));
   const std::span<std::byte> samples(allocate_samples(volume, path), bytes);
 
   // slab after slab
@@ -86,7 +90,8 @@ void inflate_samples(Volume& volume, Inflater& inflater, bool big_endian, const 
 }
 
 InputError missing_samples(const Volume& volume, std::uint64_t found, const std::filesystem::path& path) {
-  return read_error(path, fmt::format("expected {} bytes for {}, found {}", checked_bytes(volume, path), described(volume), found));
+  return read_error(path, fmt::format("expected {} bytes for {}, found {}", checked_bytes(volume, path),
+                                      described(volume), found));
 }
 
 }  // namespace isocast

@@ -10,23 +10,26 @@
 
 namespace isocast {
 
-/// Bytes that the samples of `volume` (its dims and type) take. Throws InputError when a dimension is below 1 or above
-/// kMaxDim, or the product has no 64-bit size.
+/// Bytes that the samples of `volume` (its dims and type) take. Throws InputError when a dimension is below 1
+/// or above kMaxDim, or the product has no 64-bit size.
 [[nodiscard]] std::uint64_t checked_bytes(const Volume& volume, const std::filesystem::path& path);
 
-/// Gives the volume a buffer for its samples and returns it; pages cost nothing until they are written. Throws InputError when
-/// this machine has less memory. Call it only with sizes that the file's own size makes plausible.
+/// Gives the volume a buffer for its samples and returns it; pages cost nothing until they are written.
+/// Throws InputError when this machine has less memory. Call it only with sizes that the file's own size
+/// makes plausible.
 [[nodiscard]] std::byte* allocate_samples(Volume& volume, const std::filesystem::path& path);
 
-/// Samples that lie uncompressed from `offset` on: mapped in place if in native order and aligned for their type, else
-/// copied. Throws InputError when the file ends before; what follows them is ignored.
+/// Samples that lie uncompressed from `offset` on: mapped in place if in native order and aligned for their
+/// type, else copied. Throws InputError when the file ends before; what follows them is ignored.
 void place_samples(Volume& volume, const MappedFile& file, std::uint64_t offset, bool big_endian,
                    const std::filesystem::path& path);
 
-/// The next samples of a compressed stream. Throws InputError when it is damaged, ends before, or is too small to hold them.
+/// The next samples of a compressed stream. Throws InputError when it is damaged, ends before, or is too
+/// small to hold them.
 void inflate_samples(Volume& volume, Inflater& inflater, bool big_endian, const std::filesystem::path& path);
 
 /// The error of a file that holds fewer bytes of samples than it should.
-[[nodiscard]] InputError missing_samples(const Volume& volume, std::uint64_t found, const std::filesystem::path& path);
+[[nodiscard]] InputError missing_samples(const Volume& volume, std::uint64_t found,
+                                         const std::filesystem::path& path);
 
 }  // namespace isocast

@@ -30,13 +30,16 @@ constexpr TypeWords kNearest[] = {
     {SampleType::u8, "|binary|bit|bool|rgb24|rgba32|"},
     {SampleType::f32, "|complex64|"},
     {SampleType::f64,
-     "|i64|int64|int64_t|longlong|long long|long long int|signed long long|signed long long int|u64|uint64|uint64_t|"
+     "|i64|int64|int64_t|longlong|long long|long long int|signed long long|signed long long "
+     "int|u64|uint64|uint64_t|"
      "ulonglong|unsigned long long|unsigned long long int|float128|complex128|complex256|"},
 };
 
-template <std::size_t N> const TypeWords* find_word(const TypeWords (&table)[N], const std::string& word) {
-  const auto found = std::ranges::find_if(
-      table, [&](const TypeWords& row) { return row.words.find("|" + word + "|") != std::string_view::npos; });
+template <std::size_t N>
+const TypeWords* find_word(const TypeWords (&table)[N], const std::string& word) {
+  const auto found = std::ranges::find_if(table, [&](const TypeWords& row) {
+    return row.words.find("|" + word + "|") != std::string_view::npos;
+  });
   return found == std::end(table) ? nullptr : found;
 }
 
@@ -46,10 +49,11 @@ SampleType sample_type_from_word(std::string_view word, std::string_view where) 
   const std::string lower = lower_case(word);
   if (const TypeWords* found = find_word(kSupported, lower)) return found->type;
   if (const TypeWords* found = find_word(kNearest, lower))
-    throw InputError(fmt::format("{}: the sample type {} is not possible, the nearest that is possible is {}", where,
-                                 printable(word), name_of(found->type)));
-  throw InputError(fmt::format("{}: unknown sample type {}, expected one of u8 i8 u16 i16 u32 i32 f16 f32 f64", where,
-                               printable(word)));
+    throw InputError(fmt::format("{}: the sample type {} is not possible, the nearest that is possible is {}",
+                                 where, printable(word), name_of(found->type)));
+  throw InputError(
+      fmt::format("{}: unknown sample type {}, expected one of u8 i8 u16 i16 u32 i32 f16 f32 f64", where,
+                  printable(word)));
 }
 
 }  // namespace isocast

@@ -32,21 +32,27 @@ void parse_document(VtiDocument& document, std::string_view text, const std::fil
     head += "</AppendedData></VTKFile>";
   }
   if (trimmed(head).empty()) throw read_error(path, "it is empty, expected a VTKFile element");
-  const pugi::xml_parse_result result = document.xml.load_buffer_inplace(head.data(), head.size(), pugi::parse_default, pugi::encoding_utf8);
-  if (!result) throw read_error(path, fmt::format("its XML is damaged at byte {}: {}", result.offset, result.description()));
+  const pugi::xml_parse_result result =
+      document.xml.load_buffer_inplace(head.data(), head.size(), pugi::parse_default, pugi::encoding_utf8);
+  if (!result)
+    throw read_error(path,
+                     fmt::format("its XML is damaged at byte {}: {}", result.offset, result.description()));
 }
 
 template <class N>
-std::vector<N> numbers_of(pugi::xml_node node, const char* name, std::size_t count, const char* fallback, const std::filesystem::path& path) {
+std::vector<N> numbers_of(pugi::xml_node node, const char* name, std::size_t count, const char* fallback,
+                          const std::filesystem::path& path) {
   const char* text = node.attribute(name).as_string(fallback);
   const auto numbers = to_numbers<N>(text, count);
   if (!numbers)
-    throw read_error(path, fmt::format("attribute {} of {} is {}, expected {} numbers", name, node.name(), printable(text), count));
+    throw read_error(path, fmt::format("attribute {} of {} is {}, expected {} numbers", name, node.name(),
+                                       printable(text), count));
   return *numbers;
 }
 
 // The piece's extent gives the dimensions, and where its first sample lies.
-void read_geometry(Volume& volume, pugi::xml_node image, pugi::xml_node piece, const std::filesystem::path& path) {
+void read_geometry(Volume& volume, pugi::xml_node image, pugi::xml_node piece,
+                   const std::filesystem::path& path) {
   const auto extent = numbers_of<std::int64_t>(piece, "Extent", 6, "", path);
   const auto origin = numbers_of<double>(image, "Origin", 3, "0 0 0", path);
   const auto spacing = numbers_of<double>(image, "Spacing", 3, "1 1 1", path);
@@ -68,29 +74,38 @@ void read_geometry(Volume& volume, pugi::xml_node image, pugi::xml_node piece, c
 
 // The array named by Scalars, else the first of one component.
 pugi::xml_node find_scalars(pugi::xml_node piece, const std::filesystem::path& path) {
-  const auto components = [](pugi::xml_node array) { return array.attribute("NumberOfComponents").as_llong(1); };
+  const auto components = [](pugi::xml_node array) {
+    return array.attribute("NumberOfComponents").as_llong(1);
+  };
   const pugi::xml_node points = piece.child("PointData");
   const pugi::xml_node first = points.child("DataArray");
   if (!first && piece.child("CellData").child("DataArray"))
     throw read_error(path, "it has data for cells only, expected an array of point data");
   if (!first) throw read_error(path, "it has no array of point data");
   const std::string active = points.attribute("Scalars").as_string();
-  const pugi::xml_node found = active.empty() ? points.find_child([&](pugi::xml_node n) { return components(n) == 1 && std::string_view(n.name()) == "DataArray"; })
-                                              : points.find_child_by_attribute("DataArray", "Name", active.c_str());
-  if (!found && !active.empty()) throw read_error(path, "its point data has no array " + printable(active) + ", which Scalars names");
-  const pugi::xml_node array = found ? found : first;
+  pugi::xml_node array = first;
+  if (!active.empty()) {
+    array = points.find_child_by_attribute("DataArray", "Name", active.c_str());
+    if (!array)
+      throw read_error(path, "its point data has no array " + printable(active) + ", which Scalars names");
+  } else {
+    while (components(array) != 1 && array.next_sibling("DataArray")) array = array.next_sibling("DataArray");
+  }
   if (components(array) != 1)
-    throw read_error(path, fmt::format("the array {} has {} components, expected scalars", printable(array.attribute("Name").as_string()), components(array)));
+    throw read_error(path, fmt::format("the array {} has {} components, expected scalars",
+                                       printable(array.attribute("Name").as_string()), components(array)));
   return array;
 }
 
 // Where the array's bytes are and how they are written.
 VtiArray locate_array(const VtiDocument& document, pugi::xml_node array, const std::filesystem::path& path) {
   const pugi::xml_node file = document.xml.child("VTKFile");
-  const auto choice = [&](pugi::xml_node node, const char* name, std::string_view fallback, std::string_view first, std::string_view second) {
+  const auto choice = [&](pugi::xml_node node, const char* name, std::string_view fallback,
+                          std::string_view first, std::string_view second) {
     const std::string_view value = node.attribute(name).as_string(fallback.data());
     if (value != first && value != second)
-      throw read_error(path, fmt::format("attribute {} of {} is {}, expected {} or {}", name, node.name(), printable(value), first, second));
+      throw read_error(path, fmt::format("attribute {} of {} is {}, expected {} or {}", name, node.name(),
+                                         printable(value), first, second));
     return value == second;
   };
   VtiArray found;
@@ -99,7 +114,8 @@ VtiArray locate_array(const VtiDocument& document, pugi::xml_node array, const s
   const std::string_view compressor = file.attribute("compressor").as_string();
   found.compressed = !compressor.empty();
   if (found.compressed && compressor != "vtkZLibDataCompressor")
-    throw read_error(path, fmt::format("the compressor {} is not supported, expected vtkZLibDataCompressor", printable(compressor)));
+    throw read_error(path, fmt::format("the compressor {} is not supported, expected vtkZLibDataCompressor",
+                                       printable(compressor)));
 
   // inline
   const std::string_view format = array.attribute("format").as_string();
@@ -109,17 +125,23 @@ VtiArray locate_array(const VtiDocument& document, pugi::xml_node array, const s
     return found;
   }
   if (format != "appended")
-    throw read_error(path, fmt::format("attribute format of DataArray is {}, expected ascii, binary or appended", printable(format)));
+    throw read_error(path,
+                     fmt::format("attribute format of DataArray is {}, expected ascii, binary or appended",
+                                 printable(format)));
 
   // appended: raw runs to the end of the file, base64 to the closing tag
   const pugi::xml_node appended = file.child("AppendedData");
   if (!appended) throw read_error(path, "its array is appended, but it has no element AppendedData");
-  found.encoding = choice(appended, "encoding", "base64", "base64", "raw") ? VtiEncoding::raw : VtiEncoding::base64;
-  const std::string_view data = found.encoding == VtiEncoding::raw ? document.appended : document.appended.substr(0, document.appended.find('<'));
+  found.encoding =
+      choice(appended, "encoding", "base64", "base64", "raw") ? VtiEncoding::raw : VtiEncoding::base64;
+  const std::string_view data = found.encoding == VtiEncoding::raw
+                                    ? document.appended
+                                    : document.appended.substr(0, document.appended.find('<'));
   const std::string_view offset_text = array.attribute("offset").as_string();
   const auto offset = to_number<std::uint64_t>(offset_text);
   if (!offset || *offset > data.size())
-    throw read_error(path, fmt::format("attribute offset of DataArray is {}, expected a number up to {}", printable(offset_text), data.size()));
+    throw read_error(path, fmt::format("attribute offset of DataArray is {}, expected a number up to {}",
+                                       printable(offset_text), data.size()));
   found.text = data.substr(*offset);
   return found;
 }
@@ -130,9 +152,11 @@ Volume read_vti(const std::filesystem::path& path) {
   const MappedFile file = map_file(path);
   VtiDocument document;
   parse_document(document, {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()}, path);
-  const pugi::xml_node root = document.xml.child("VTKFile"), image = root.child("ImageData"), piece = image.child("Piece");
+  const pugi::xml_node root = document.xml.child("VTKFile"), image = root.child("ImageData"),
+                       piece = image.child("Piece");
   if (!image) throw read_error(path, "it has no element ImageData inside VTKFile");
-  if (!piece || piece.next_sibling("Piece")) throw read_error(path, "expected exactly one element Piece in ImageData");
+  if (!piece || piece.next_sibling("Piece"))
+    throw read_error(path, "expected exactly one element Piece in ImageData");
 
   // the description, then the samples
   Volume volume;
@@ -140,7 +164,8 @@ Volume read_vti(const std::filesystem::path& path) {
   read_geometry(volume, image, piece, path);
   const pugi::xml_node array = find_scalars(piece, path);
   volume.type = sample_type_from_word(array.attribute("type").as_string(), "cannot read " + path.string());
-  if (volume.type == SampleType::f16) throw read_error(path, "VTI has no type f16, the nearest that is possible is f32");
+  if (volume.type == SampleType::f16)
+    throw read_error(path, "VTI has no type f16, the nearest that is possible is f32");
   read_vti_array(volume, locate_array(document, array, path), file, path);
   return volume;
 }

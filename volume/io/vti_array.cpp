@@ -10,8 +10,10 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 namespace isocast {
 namespace {
@@ -24,7 +26,8 @@ class ArrayBytes {
   // At most `count` bytes, fewer where the array ends; valid until the next call.
   std::span<const std::byte> first(std::uint64_t count) {
     if (array_.encoding == VtiEncoding::raw)
-      return {reinterpret_cast<const std::byte*>(array_.text.data()), std::min<std::uint64_t>(count, array_.text.size())};
+      return {reinterpret_cast<const std::byte*>(array_.text.data()),
+              std::min<std::uint64_t>(count, array_.text.size())};
     decoded_ = decode_base64(array_.text, count, path_);
     return decoded_;
   }
@@ -50,7 +53,8 @@ class ArrayBytes {
 };
 
 // Layout: [bytes] samples.
-void read_plain(Volume& volume, const VtiArray& array, const MappedFile& file, const std::filesystem::path& path) {
+void read_plain(Volume& volume, const VtiArray& array, const MappedFile& file,
+                const std::filesystem::path& path) {
   ArrayBytes source(array, path);
   const std::uint64_t expected = checked_bytes(volume, path), stated = source.words(1)[0];
   if (stated < expected) throw missing_samples(volume, stated, path);
@@ -61,10 +65,12 @@ void read_plain(Volume& volume, const VtiArray& array, const MappedFile& file, c
   }
   const std::span<const std::byte> bytes = source.first(header + expected);
   if (bytes.size() < header + expected) throw missing_samples(volume, bytes.size() - header, path);
-  copy_to_native(bytes.subspan(header), allocate_samples(volume, path), size_of(volume.type), array.big_endian);
+  copy_to_native(bytes.subspan(header), allocate_samples(volume, path), size_of(volume.type),
+                 array.big_endian);
 }
 
-// Layout: [blocks] [bytes of a plain block] [plain bytes of the last one if shorter, or 0] [compressed bytes of each] blocks.
+// Layout: [blocks] [bytes of a plain block] [plain bytes of the last one if shorter, or 0] [compressed bytes
+// of each] blocks.
 struct Blocks {
   std::uint64_t plain_size = 0;
   std::vector<std::uint64_t> begin;  // in the array, and the end of the last
@@ -76,7 +82,8 @@ Blocks read_block_table(ArrayBytes& source, bool wide_words, const std::filesyst
   // the table: the array itself bounds its length
   const std::vector<std::uint64_t> head = source.words(3);
   const std::uint64_t count = head[0];
-  if (count > std::numeric_limits<std::uint64_t>::max() - 3) throw read_error(path, fmt::format("the data array claims {} blocks", count));
+  if (count > std::numeric_limits<std::uint64_t>::max() - 3)
+    throw read_error(path, fmt::format("the data array claims {} blocks", count));
   const std::vector<std::uint64_t> words = source.words(count + 3);
 
   Blocks blocks;
@@ -108,7 +115,8 @@ void read_blocks(Volume& volume, const VtiArray& array, const std::filesystem::p
     const std::uint64_t plain = std::min(blocks.plain_size, expected - b * blocks.plain_size);
     const std::uint64_t most = most_inflated_bytes(blocks.begin[b + 1] - blocks.begin[b]);
     if (plain > most)
-      throw read_error(path, fmt::format("block {} of the data array claims {} bytes, it can hold at most {}", b, plain, most));
+      throw read_error(path, fmt::format("block {} of the data array claims {} bytes, it can hold at most {}",
+                                         b, plain, most));
   }
 
   // each block to its place
@@ -120,7 +128,8 @@ void read_blocks(Volume& volume, const VtiArray& array, const std::filesystem::p
     const std::uint64_t plain = std::min(blocks.plain_size, expected - b * blocks.plain_size);
     const std::uint64_t found = inflater.read({samples + b * blocks.plain_size, plain});
     if (found < plain)
-      throw read_error(path, fmt::format("block {} of the data array holds {} bytes, expected {}", b, found, plain));
+      throw read_error(
+          path, fmt::format("block {} of the data array holds {} bytes, expected {}", b, found, plain));
     inflater.skip(1);  // compares the block's checksum
     progress.add();
   });
@@ -128,7 +137,8 @@ void read_blocks(Volume& volume, const VtiArray& array, const std::filesystem::p
 }
 
 // One number as a sample; integers must fit.
-template <class S> std::optional<S> to_sample(std::string_view word) {
+template <class S>
+std::optional<S> to_sample(std::string_view word) {
   if constexpr (std::is_floating_point_v<S>) {
     const std::optional<double> number = to_number<double>(word);
     return number ? std::optional<S>(static_cast<S>(*number)) : std::nullopt;
@@ -140,8 +150,11 @@ template <class S> std::optional<S> to_sample(std::string_view word) {
 
 void read_ascii(Volume& volume, const VtiArray& array, const std::filesystem::path& path) {
   // a number and the blank behind it are at least two characters
-  const std::uint64_t count = checked_bytes(volume, path) / size_of(volume.type), most = (array.text.size() + 1) / 2;
-  if (count > most) throw read_error(path, fmt::format("expected {} numbers in the data array, found at most {}", count, most));
+  const std::uint64_t count = checked_bytes(volume, path) / size_of(volume.type),
+                      most = (array.text.size() + 1) / 2;
+  if (count > most)
+    throw read_error(path,
+                     fmt::format("expected {} numbers in the data array, found at most {}", count, most));
   std::byte* const samples = allocate_samples(volume, path);
   visit_sample_type(volume.type, [&]<class S>(SampleTag<S>) {
     if constexpr (!std::is_same_v<S, Half>) {
@@ -149,10 +162,12 @@ void read_ascii(Volume& volume, const VtiArray& array, const std::filesystem::pa
       for (std::uint64_t i = 0; i < count; ++i) {
         if (i % 1000000 == 0) throw_if_interrupted();
         const std::string_view word = rest.substr(0, std::min(rest.find_first_of(" \t\r\n"), rest.size()));
-        if (word.empty()) throw read_error(path, fmt::format("expected {} numbers in the data array, found {}", count, i));
+        if (word.empty())
+          throw read_error(path, fmt::format("expected {} numbers in the data array, found {}", count, i));
         const std::optional<S> sample = to_sample<S>(word);
         if (!sample)
-          throw read_error(path, fmt::format("number {} of the data array is {}, expected one of type {}", i, printable(word), name_of(volume.type)));
+          throw read_error(path, fmt::format("number {} of the data array is {}, expected one of type {}", i,
+                                             printable(word), name_of(volume.type)));
         std::memcpy(samples + i * sizeof(S), &*sample, sizeof(S));
         rest.remove_prefix(word.size());
         rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
@@ -163,7 +178,8 @@ void read_ascii(Volume& volume, const VtiArray& array, const std::filesystem::pa
 
 }  // namespace
 
-void read_vti_array(Volume& volume, const VtiArray& array, const MappedFile& file, const std::filesystem::path& path) {
+void read_vti_array(Volume& volume, const VtiArray& array, const MappedFile& file,
+                    const std::filesystem::path& path) {
   if (array.encoding == VtiEncoding::ascii) read_ascii(volume, array, path);
   else if (array.compressed) read_blocks(volume, array, path);
   else read_plain(volume, array, file, path);

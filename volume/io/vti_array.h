@@ -20,7 +20,9 @@ struct VtiArray {
   bool wide_words = false, compressed = false, big_endian = false;
 };
 
-/// Reads the samples of `volume` (its dims and type). Throws InputError when the array holds fewer or is damaged.
-void read_vti_array(Volume& volume, const VtiArray& array, const MappedFile& file, const std::filesystem::path& path);
+/// Reads the samples of `volume` (its dims and type). Throws InputError when the array holds fewer or is
+/// damaged.
+void read_vti_array(Volume& volume, const VtiArray& array, const MappedFile& file,
+                    const std::filesystem::path& path);
 
 }  // namespace isocast

@@ -5,6 +5,7 @@
 #include <isocast/volume/cell/cell.h>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 #include <test_size.h>
 
 #include <algorithm>
@@ -18,8 +19,9 @@ using reference::CellReference;
 
 namespace {
 
-// The documented bound: an answer is right when f at entry, exit and the extrema is farther from zero than this many unit
-// roundoffs of max |corner|, and f at the root found is nearer than that, or the root within two tolerances.
+// The documented bound: an answer is right when f at entry, exit and the extrema is farther from zero than
+// this many unit roundoffs of max |corner|, and f at the root found is nearer than that, or the root within
+// two tolerances.
 constexpr double kBound = 8;
 
 double largest_corner(const CellChord& chord) {
@@ -31,16 +33,19 @@ double largest_corner(const CellChord& chord) {
 // |f| where it is nearest to zero without being a root: what rounding may turn over.
 double margin(const CellReference& reference) {
   double least = INFINITY;
-  for (int i = 0; i < reference.critical_count; ++i) least = std::min(least, std::abs(reference.critical[i].value));
+  for (int i = 0; i < reference.critical_count; ++i)
+    least = std::min(least, std::abs(reference.critical[i].value));
   return least;
 }
 
-// Cells by margin in unit roundoffs of max |corner|: below 1/64, 1/8, 1, kBound, and above; how many were answered wrongly.
+// Cells by margin in unit roundoffs of max |corner|: below 1/64, 1/8, 1, kBound, and above; how many were
+// answered wrongly.
 struct Counts {
   std::array<std::int64_t, 5> cells{}, wrong{};
   void add(double margin_ulps, bool is_wrong) {
     const double limits[] = {1.0 / 64, 1.0 / 8, 1, kBound};
-    const std::size_t bin = std::upper_bound(std::begin(limits), std::end(limits), margin_ulps) - std::begin(limits);
+    const std::size_t bin =
+        std::upper_bound(std::begin(limits), std::end(limits), margin_ulps) - std::begin(limits);
     ++cells[bin];
     wrong[bin] += is_wrong;
   }
@@ -49,15 +54,17 @@ struct Counts {
 std::string to_text(const Counts& counts) {
   std::string text = "wrong of cells with a margin below 1/64, 1/8, 1, 8 and above:";
   for (std::size_t i = 0; i < counts.cells.size(); ++i)
-    text += " " + std::to_string(counts.wrong[i]) + "/" + std::to_string(counts.cells[i]);
+    text += fmt::format(" {}/{}", counts.wrong[i], counts.cells[i]);
   return text;
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("marmitt finds the first root wherever rounding leaves no doubt", "[property]", float, double) {
+TEMPLATE_TEST_CASE("marmitt finds the first root wherever rounding leaves no doubt", "[property]", float,
+                   double) {
   constexpr double u = kUnitRoundoff<TestType>, tolerance = kTolerance<TestType>;
-  const std::int64_t per_family = test::cases(100'000, 10'000'000) / static_cast<std::int64_t>(cell_families().size());
+  const std::int64_t per_family =
+      test::cases(100'000, 10'000'000) / static_cast<std::int64_t>(cell_families().size());
   const std::int64_t slab = std::min<std::int64_t>(per_family, 20'000);
   Counts total;
   double worst_margin = 0, worst_residual = 0;
@@ -65,9 +72,11 @@ TEMPLATE_TEST_CASE("marmitt finds the first root wherever rounding leaves no dou
     INFO("family " << family.name);
     double largest_error = 0;
     for (std::int64_t first = 0; first < per_family; first += slab) {
-      const auto cells = make_cells(family, 5, first, slab, sizeof(TestType) == 4 ? Rounding::to_float : Rounding::none);
+      const auto cells =
+          make_cells(family, 5, first, slab, sizeof(TestType) == 4 ? Rounding::to_float : Rounding::none);
       const std::vector<CellReference> references = reference::solve(cells);
-      const auto roots = bench::solve(widest_isa(), CellMethod::marmitt, {.adaptive = true}, packets_of<TestType>(cells));
+      const auto roots =
+          bench::solve(widest_isa(), CellMethod::marmitt, {.adaptive = true}, packets_of<TestType>(cells));
       for (std::size_t n = 0; n < cells.size(); ++n) {
         const Answer answer = answer_of(roots, n);
         const Judgement judgement = judge(references[n], answer.hit, answer.s);
@@ -84,13 +93,15 @@ TEMPLATE_TEST_CASE("marmitt finds the first root wherever rounding leaves no dou
         REQUIRE((answer.s_lo <= answer.s && answer.s <= answer.s_hi));
         largest_error = std::max(largest_error, judgement.error);
         if (judgement.error > 2 * tolerance)
-          worst_residual = std::max(worst_residual, std::abs(reference::exact_value(cells[n], answer.s)) / unit);
+          worst_residual =
+              std::max(worst_residual, std::abs(reference::exact_value(cells[n], answer.s)) / unit);
       }
     }
     UNSCOPED_INFO(family.name << ": largest error of s " << largest_error);
   }
   INFO(to_text(total));
-  INFO("largest margin of a wrong answer " << worst_margin << ", largest |f| at a root off by more than two tolerances " << worst_residual);
+  INFO("largest margin of a wrong answer "
+       << worst_margin << ", largest |f| at a root off by more than two tolerances " << worst_residual);
   CHECK(worst_margin <= kBound);
   CHECK(worst_residual <= kBound);
   CHECK(total.wrong.back() == 0);

@@ -1,4 +1,5 @@
-// Every instruction set gives the scalar's bits: all methods, options and families, whole chords and parts of them.
+// Every instruction set gives the scalar's bits: all methods, options and families, whole chords and parts of
+// them.
 #include <isocast/apps/bench/cell_families.h>
 #include <isocast/apps/bench/judge.h>
 #include <isocast/apps/bench/random.h>
@@ -26,7 +27,8 @@ std::vector<Variant> variants() {
   for (const bool a : {false, true}) {
     all.push_back({CellMethod::linear, {.face = a}});
     all.push_back({CellMethod::schwarze, {.stable = a}});
-    for (const bool adaptive : {false, true}) all.push_back({CellMethod::neubauer, {.iterations = 3, .adaptive = adaptive, .face = a}});
+    for (const bool adaptive : {false, true})
+      all.push_back({CellMethod::neubauer, {.iterations = 3, .adaptive = adaptive, .face = a}});
     for (const bool stable : {false, true}) {
       all.push_back({CellMethod::marmitt, {.adaptive = true, .stable = stable, .touch = a}});
       for (const int iterations : {1, 2, 5, 10})
@@ -36,7 +38,8 @@ std::vector<Variant> variants() {
   return all;
 }
 
-// In every second packet roots are sought behind a point only, with its sign given, given wrongly, or not given.
+// In every second packet roots are sought behind a point only, with its sign given, given wrongly, or not
+// given.
 template <class T> void shorten_some(std::vector<CellPacket<T>>& packets, std::uint64_t seed) {
   for (std::size_t i = 0; i < packets.size(); i += 2) {
     Random random(seed, i);
@@ -63,12 +66,14 @@ template <class T> bool same_bits(const RootPacket<T>& a, const RootPacket<T>& b
 }  // namespace
 
 TEMPLATE_TEST_CASE("all instruction sets give the same bits", "[property]", float, double) {
-  const std::int64_t per_family = test::cases(100'000, 1'000'000) / static_cast<std::int64_t>(cell_families().size());
+  const std::int64_t per_family =
+      test::cases(100'000, 1'000'000) / static_cast<std::int64_t>(cell_families().size());
   const std::int64_t slab = std::min<std::int64_t>(per_family, 10'000);
   for (const CellFamily& family : cell_families()) {
     INFO("family " << family.name);
     for (std::int64_t first = 0; first < per_family; first += slab) {
-      const auto cells = make_cells(family, 11, first, slab, sizeof(TestType) == 4 ? Rounding::to_float : Rounding::none);
+      const auto cells =
+          make_cells(family, 11, first, slab, sizeof(TestType) == 4 ? Rounding::to_float : Rounding::none);
       std::vector<CellPacket<TestType>> packets = packets_of<TestType>(cells);
       shorten_some(packets, first);
       for (const Variant& variant : variants()) {
@@ -77,8 +82,9 @@ TEMPLATE_TEST_CASE("all instruction sets give the same bits", "[property]", floa
           const auto found = bench::solve(isa, variant.method, variant.options, packets);
           std::size_t different = 0;
           for (std::size_t i = 0; i < packets.size(); ++i) different += !same_bits(expected[i], found[i]);
-          INFO("method " << int(variant.method) << ", " << name_of(isa) << ", adaptive " << variant.options.adaptive << ", stable "
-                         << variant.options.stable << ", iterations " << variant.options.iterations);
+          INFO("method " << int(variant.method) << ", " << name_of(isa) << ", adaptive "
+                         << variant.options.adaptive << ", stable " << variant.options.stable
+                         << ", iterations " << variant.options.iterations);
           REQUIRE(different == 0);
         }
       }

@@ -20,7 +20,8 @@ namespace {
 template <class T> Cell<T> cell_of(const CellChord& chord) {
   Cell<T> cell{};
   for (int i = 0; i < 8; ++i) cell.f[i] = static_cast<T>(chord.f[i]);
-  cell.entry = {static_cast<T>(chord.entry[0]), static_cast<T>(chord.entry[1]), static_cast<T>(chord.entry[2])};
+  cell.entry = {static_cast<T>(chord.entry[0]), static_cast<T>(chord.entry[1]),
+                static_cast<T>(chord.entry[2])};
   cell.exit = {static_cast<T>(chord.exit[0]), static_cast<T>(chord.exit[1]), static_cast<T>(chord.exit[2])};
   cell.carry = std::numeric_limits<T>::quiet_NaN();
   return cell;
@@ -36,9 +37,11 @@ constexpr const char* kTameFamilies[] = {"random", "smooth", "thin", "mc-2-face"
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("f along the chord is a cubic whose coefficients are sums over the corners", "", float, double) {
+TEMPLATE_TEST_CASE("f along the chord is a cubic whose coefficients are sums over the corners", "", float,
+                   double) {
   for (const char* name : kTameFamilies)
-    for (const CellChord& chord : bench::make_cells(bench::cell_family(name), 2, 0, 500, bench::Rounding::to_float)) {
+    for (const CellChord& chord :
+         bench::make_cells(bench::cell_family(name), 2, 0, 500, bench::Rounding::to_float)) {
       const Cell<TestType> cell = cell_of<TestType>(chord);
       const auto bernstein = cubic_along(cell);
       const auto power = textbook_cubic_along(cell);
@@ -56,9 +59,11 @@ TEMPLATE_TEST_CASE("f along the chord is a cubic whose coefficients are sums ove
     }
 }
 
-TEMPLATE_TEST_CASE("entry and exit have the bits of the trilinear value, on a face those of its four corners", "", float, double) {
+TEMPLATE_TEST_CASE("entry and exit have the bits of the trilinear value, on a face those of its four corners",
+                   "", float, double) {
   for (const char* name : kTameFamilies)
-    for (const CellChord& chord : bench::make_cells(bench::cell_family(name), 3, 0, 500, bench::Rounding::to_float)) {
+    for (const CellChord& chord :
+         bench::make_cells(bench::cell_family(name), 3, 0, 500, bench::Rounding::to_float)) {
       const Cell<TestType> cell = cell_of<TestType>(chord);
       const auto p = cubic_along(cell);
       REQUIRE(p.c0 == trilinear(cell.f, cell.entry));
@@ -94,7 +99,8 @@ TEST_CASE("after isolation the bracket holds one root, the first") {
       const reference::CellReference truth = reference::solve(chord);
       // where rounding decides there is nothing to say
       double margin = INFINITY;
-      for (int i = 0; i < truth.critical_count; ++i) margin = std::min(margin, std::abs(truth.critical[i].value));
+      for (int i = 0; i < truth.critical_count; ++i)
+        margin = std::min(margin, std::abs(truth.critical[i].value));
       const double unit = kUnitRoundoff<double> * largest_corner(cell);
       if (margin <= 8 * unit) continue;
       const auto isolated = isolate_first_root(cubic_along(cell), cell, -1.0, true);

@@ -26,7 +26,8 @@ Cells cells_of(std::string_view family, std::uint64_t count) {
 }
 
 int crossings(const reference::CellReference& truth) {
-  return static_cast<int>(std::count_if(truth.roots, truth.roots + truth.root_count, [](const auto& root) { return root.crossing; }));
+  return static_cast<int>(std::count_if(truth.roots, truth.roots + truth.root_count,
+                                        [](const auto& root) { return root.crossing; }));
 }
 
 // How often each verdict was given, and the mean error of the hits.
@@ -34,7 +35,9 @@ struct Tally {
   int verdicts[5] = {};
   double mean_error = 0;
   [[nodiscard]] int of(Verdict v) const { return verdicts[static_cast<int>(v)]; }
-  [[nodiscard]] int wrong() const { return of(Verdict::false_hit) + of(Verdict::false_miss) + of(Verdict::wrong_root); }
+  [[nodiscard]] int wrong() const {
+    return of(Verdict::false_hit) + of(Verdict::false_miss) + of(Verdict::wrong_root);
+  }
 };
 
 template <class T> Tally tally(const Cells& cells, CellMethod method, const CellOptions& options) {
@@ -51,7 +54,8 @@ template <class T> Tally tally(const Cells& cells, CellMethod method, const Cell
 }
 
 constexpr CellOptions kMarmitt = {.adaptive = true};
-constexpr const char* kPaperFamilies[] = {"random", "smooth", "mc-1-corner", "mc-2-edge", "mc-2-face", "mc-2-cube", "mc-3-face", "mc-4-face"};
+constexpr const char* kPaperFamilies[] = {"random",    "smooth",    "mc-1-corner", "mc-2-edge",
+                                          "mc-2-face", "mc-2-cube", "mc-3-face",   "mc-4-face"};
 
 }  // namespace
 
@@ -92,7 +96,8 @@ TEST_CASE("R-MAR-2, 3, 4: linear and Neubauer miss two roots in a cell, however 
 TEST_CASE("R-MAR-3: Neubauer may return the last of three roots, and is nearer than linear elsewhere") {
   const CellChord three = test::diagonal_cell_with_roots(1, 0.125, 0.1875, 0.9375);
   const auto packets = packets_of<double>(std::span(&three, 1));
-  const Answer neubauer = answer_of(bench::solve(widest_isa(), CellMethod::neubauer, {.iterations = 10}, packets), 0);
+  const Answer neubauer =
+      answer_of(bench::solve(widest_isa(), CellMethod::neubauer, {.iterations = 10}, packets), 0);
   const Answer marmitt = answer_of(bench::solve(widest_isa(), CellMethod::marmitt, kMarmitt, packets), 0);
   CHECK(neubauer.hit);
   CHECK(neubauer.s == Approx(0.9375).margin(1e-3));
@@ -108,7 +113,8 @@ TEST_CASE("R-MAR-5: Schwarze and marmitt both agree with the reference in double
   for (const char* family : kPaperFamilies) {
     INFO(family);
     const Cells cells = cells_of(family, 5000);
-    const Tally schwarze = tally<double>(cells, CellMethod::schwarze, {}), marmitt = tally<double>(cells, CellMethod::marmitt, kMarmitt);
+    const Tally schwarze = tally<double>(cells, CellMethod::schwarze, {}),
+                marmitt = tally<double>(cells, CellMethod::marmitt, kMarmitt);
     CHECK(schwarze.wrong() == 0);
     CHECK(marmitt.wrong() == 0);
     CHECK(schwarze.of(Verdict::hit) == marmitt.of(Verdict::hit));
@@ -123,7 +129,8 @@ TEST_CASE("R-MAR-7: in float marmitt is right more often than Schwarze on the sa
   for (const CellFamily& family : cell_families()) {
     INFO(family.name);
     const Cells cells = cells_of(family.name, 1000);
-    const Tally schwarze = tally<float>(cells, CellMethod::schwarze, {}), marmitt = tally<float>(cells, CellMethod::marmitt, kMarmitt);
+    const Tally schwarze = tally<float>(cells, CellMethod::schwarze, {}),
+                marmitt = tally<float>(cells, CellMethod::marmitt, kMarmitt);
     wrong_by_schwarze += schwarze.wrong();
     wrong_by_marmitt += marmitt.wrong();
     error_of_schwarze += schwarze.mean_error;

@@ -25,15 +25,18 @@ struct NiftiFile {
     std::string h(two ? 544 : 352, '\0');
     const auto put = [&](std::size_t at, const std::string& bytes) { h.replace(at, bytes.size(), bytes); };
     const auto whole = [&](std::size_t at1, std::size_t at2, std::int64_t v) {
-      put(two ? at2 : at1, two ? bytes_of(std::int32_t(v), big_endian) : bytes_of(std::int16_t(v), big_endian));
+      put(two ? at2 : at1,
+          two ? bytes_of(std::int32_t(v), big_endian) : bytes_of(std::int16_t(v), big_endian));
     };
     const auto reals = [&](std::size_t at1, std::size_t at2, const std::vector<double>& values) {
       for (std::size_t i = 0; i < values.size(); ++i)
-        put(two ? at2 + 8 * i : at1 + 4 * i, two ? bytes_of(values[i], big_endian) : bytes_of(float(values[i]), big_endian));
+        put(two ? at2 + 8 * i : at1 + 4 * i,
+            two ? bytes_of(values[i], big_endian) : bytes_of(float(values[i]), big_endian));
     };
     put(0, bytes_of(std::int32_t(two ? 540 : 348), big_endian));
     for (std::size_t i = 0; i < dim.size(); ++i)
-      put(two ? 16 + 8 * i : 40 + 2 * i, two ? bytes_of(dim[i], big_endian) : bytes_of(std::int16_t(dim[i]), big_endian));
+      put(two ? 16 + 8 * i : 40 + 2 * i,
+          two ? bytes_of(dim[i], big_endian) : bytes_of(std::int16_t(dim[i]), big_endian));
     put(two ? 12 : 70, bytes_of(std::int16_t(datatype), big_endian));
     reals(76, 104, pixdim);
     const double at = offset < 0 ? double(h.size()) : offset;
@@ -51,12 +54,14 @@ struct NiftiFile {
 };
 
 const std::string kBytes(24, '\7');
-const std::map<SampleType, int> kDatatypes = {{SampleType::u8, 2},    {SampleType::i8, 256}, {SampleType::u16, 512}, {SampleType::i16, 4},
-                                              {SampleType::u32, 768}, {SampleType::i32, 8},  {SampleType::f32, 16},  {SampleType::f64, 64}};
+const std::map<SampleType, int> kDatatypes = {
+    {SampleType::u8, 2},    {SampleType::i8, 256}, {SampleType::u16, 512}, {SampleType::i16, 4},
+    {SampleType::u32, 768}, {SampleType::i32, 8},  {SampleType::f32, 16},  {SampleType::f64, 64}};
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("NIfTI is read in every type, version, byte order and packing", "[io][nifti]", ISO_FILE_SAMPLE_TYPES) {
+TEMPLATE_TEST_CASE("NIfTI is read in every type, version, byte order and packing", "[io][nifti]",
+                   ISO_FILE_SAMPLE_TYPES) {
   const TemporaryFolder folder;
   const std::vector<TestType> values = pattern<TestType>(3 * 2 * 4);
   NiftiFile file;
@@ -65,7 +70,8 @@ TEMPLATE_TEST_CASE("NIfTI is read in every type, version, byte order and packing
   const bool compressed = GENERATE(false, true);
   file.datatype = kDatatypes.at(kTypeOf<TestType>);
   const std::string content = file.header() + bytes_of(values, file.big_endian);
-  const Volume volume = read_volume(compressed ? folder.write("v.nii.gz", gzip(content)) : folder.write("v.nii", content));
+  const Volume volume =
+      read_volume(compressed ? folder.write("v.nii.gz", gzip(content)) : folder.write("v.nii", content));
   CHECK(volume.type == kTypeOf<TestType>);
   CHECK(volume.dims == std::array<std::int64_t, 3>{3, 2, 4});
   CHECK(samples_of<TestType>(volume) == values);
@@ -85,7 +91,8 @@ TEST_CASE("samples may begin late, and unaligned ones are copied", "[io][nifti]"
   std::string content = file.header();
   content.resize(static_cast<std::size_t>(offset), '#');
   content += bytes_of(std::vector<float>{2.5f, -1});
-  const Volume plain = read_volume(folder.write("v.nii", content)), packed = read_volume(folder.write("v.nii.gz", gzip(content)));
+  const Volume plain = read_volume(folder.write("v.nii", content)),
+               packed = read_volume(folder.write("v.nii.gz", gzip(content)));
   CHECK(plain.mapped == (offset % 4 == 0));
   CHECK(samples_of<float>(plain) == std::vector<float>{2.5f, -1});
   CHECK(samples_of<float>(packed) == std::vector<float>{2.5f, -1});
@@ -110,11 +117,14 @@ TEST_CASE("further dimensions must be 1", "[io][nifti]") {
   const TemporaryFolder folder;
   NiftiFile file;
   file.dim = {5, 3, 2, 4, 1, 1};
-  CHECK(read_volume(folder.write("v.nii", file.header() + kBytes)).dims == std::array<std::int64_t, 3>{3, 2, 4});
+  CHECK(read_volume(folder.write("v.nii", file.header() + kBytes)).dims ==
+        std::array<std::int64_t, 3>{3, 2, 4});
   file.dim = {2, 6, 4};
-  CHECK(read_volume(folder.write("v.nii", file.header() + kBytes)).dims == std::array<std::int64_t, 3>{6, 4, 1});
+  CHECK(read_volume(folder.write("v.nii", file.header() + kBytes)).dims ==
+        std::array<std::int64_t, 3>{6, 4, 1});
   file.dim = {4, 3, 2, 2, 2};
-  CHECK_THAT(error_of(folder.write("v.nii", file.header() + kBytes)), Contains("dim[4] is 2, expected one volume"));
+  CHECK_THAT(error_of(folder.write("v.nii", file.header() + kBytes)),
+             Contains("dim[4] is 2, expected one volume"));
 }
 
 TEST_CASE("the sform places the grid, else the qform, else the spacings", "[io][nifti]") {
@@ -161,19 +171,27 @@ TEST_CASE("bad NIfTI headers are told", "[io][nifti]") {
   CHECK_THAT(message([](NiftiFile& f) { f.dim[0] = 8; }), Contains("dim[0] is 8"));
   CHECK_THAT(message([](NiftiFile& f) { f.dim[1] = 0; }), Contains("dim[1] is 0, expected 1 to"));
   CHECK_THAT(message([](NiftiFile& f) { f.dim[2] = -5; }), Contains("dim[2] is -5"));
-  CHECK_THAT(message([](NiftiFile& f) { f.dim = {3, 32767, 32767, 32767}; }), Contains("expected 35181150961663 bytes") && Contains("found 24"));
+  CHECK_THAT(message([](NiftiFile& f) {
+               f.dim = {3, 32767, 32767, 32767};
+             }),
+             Contains("expected 35181150961663 bytes") && Contains("found 24"));
   CHECK_THAT(message([](NiftiFile& f) { f.datatype = 0; }), Contains("datatype 0 is unknown"));
   CHECK_THAT(message([](NiftiFile& f) { f.datatype = 1; }), Contains("bad.nii"));
   CHECK_THAT(message([](NiftiFile& f) { f.datatype = 999; }), Contains("datatype 999 is unknown"));
-  CHECK_THAT(message([](NiftiFile& f) { f.datatype = 1024; }), Contains("'INT64' is not possible") && Contains("f64"));
-  CHECK_THAT(message([](NiftiFile& f) { f.datatype = 128; }), Contains("'RGB24' is not possible") && Contains("u8"));
-  CHECK_THAT(message([](NiftiFile& f) { f.datatype = 32; }), Contains("'COMPLEX64' is not possible") && Contains("f32"));
+  CHECK_THAT(message([](NiftiFile& f) { f.datatype = 1024; }),
+             Contains("'INT64' is not possible") && Contains("f64"));
+  CHECK_THAT(message([](NiftiFile& f) { f.datatype = 128; }),
+             Contains("'RGB24' is not possible") && Contains("u8"));
+  CHECK_THAT(message([](NiftiFile& f) { f.datatype = 32; }),
+             Contains("'COMPLEX64' is not possible") && Contains("f32"));
   CHECK_THAT(message([](NiftiFile& f) { f.offset = 1e12; }), Contains("vox_offset"));
-  CHECK_THAT(message([](NiftiFile& f) { f.offset = 100000; }), Contains("expected 24 bytes") && Contains("found 0"));
+  CHECK_THAT(message([](NiftiFile& f) { f.offset = 100000; }),
+             Contains("expected 24 bytes") && Contains("found 0"));
   CHECK_THAT(message([](NiftiFile& f) { f.pixdim[2] = 0; }), Contains("pixdim[2] is 0"));
   CHECK_THAT(message([](NiftiFile& f) { f.pixdim[3] = std::nan(""); }), Contains("pixdim[3] is nan"));
   CHECK_THAT(message([](NiftiFile& f) { f.sform = 1; }), Contains("span no volume"));
-  CHECK_THAT(message([](NiftiFile& f) { f.sform = 1, f.srow[3] = std::numeric_limits<float>::infinity(); }), Contains("not finite"));
+  CHECK_THAT(message([](NiftiFile& f) { f.sform = 1, f.srow[3] = std::numeric_limits<float>::infinity(); }),
+             Contains("not finite"));
   CHECK_THAT(message([](NiftiFile& f) { f.magic = "xyz"; }), Contains("no NIfTI magic"));
 }
 
@@ -188,20 +206,26 @@ TEST_CASE("headers that no number of any version fits are told", "[io][nifti]") 
   file = {};
   file.version = 2;
   file.dim = {3, 1 << 30, 1 << 30, 1 << 30};
-  CHECK_THAT(error_of(folder.write("a.nii", file.header() + kBytes)), Contains("more than 64-bit sizes can count"));
+  CHECK_THAT(error_of(folder.write("a.nii", file.header() + kBytes)),
+             Contains("more than 64-bit sizes can count"));
   file.dim = {3, std::int64_t(1) << 62, 4, 4};
-  CHECK_THAT(error_of(folder.write("a.nii", file.header() + kBytes)), Contains("dim[1] is 4611686018427387904, expected 1 to 1073741824"));
-  const std::string header = NiftiFile{}.header();
-  CHECK_THAT(error_of(folder.write("a.nii", header.substr(0, 347))), Contains("ends inside its header of 348 bytes"));
-  CHECK_THAT(error_of(folder.write("a.nii", NiftiFile{2}.header().substr(0, 500))), Contains("ends inside its header of 540 bytes"));
-  CHECK_THAT(error_of(folder.write("a.nii", std::string(1000, 'x'))), Contains("does not start with a NIfTI header's size"));
+  CHECK_THAT(error_of(folder.write("a.nii", file.header() + kBytes)),
+             Contains("dim[1] is 4611686018427387904, expected 1 to 1073741824"));
+  CHECK_THAT(error_of(folder.write("a.nii", NiftiFile{}.header().substr(0, 347))),
+             Contains("ends inside its header of 348 bytes"));
+  CHECK_THAT(error_of(folder.write("a.nii", file.header().substr(0, 500))),
+             Contains("ends inside its header of 540 bytes"));
+  CHECK_THAT(error_of(folder.write("a.nii", std::string(1000, 'x'))),
+             Contains("does not start with a NIfTI header's size"));
 }
 
 TEST_CASE("compressed NIfTI that lies is told", "[io][nifti]") {
   const TemporaryFolder folder;
   NiftiFile file;
   const std::string header = file.header(), good = gzip(header + kBytes);
-  const auto message = [&](const std::string& content) { return error_of(folder.write("z.nii.gz", content)); };
+  const auto message = [&](const std::string& content) {
+    return error_of(folder.write("z.nii.gz", content));
+  };
   CHECK(message(good).empty());
   CHECK(message(header + kBytes).empty());  // plain in spite of its name
   CHECK_THAT(message(gzip(header + kBytes.substr(1))), Contains("expected 24 bytes") && Contains("found 23"));

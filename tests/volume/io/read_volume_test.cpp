@@ -7,11 +7,13 @@ using Catch::Contains;
 
 TEST_CASE("the extension chooses the reader", "[io]") {
   const TemporaryFolder folder;
-  CHECK_THAT(error_of(folder.write("a.txt", "x")), Contains("a.txt") && Contains("expected .raw .nrrd .nhdr .nii .nii.gz or .vti"));
+  CHECK_THAT(error_of(folder.write("a.txt", "x")),
+             Contains("a.txt") && Contains("expected .raw .nrrd .nhdr .nii .nii.gz or .vti"));
   CHECK_THAT(error_of(folder.write("noextension", "x")), Contains("expected .raw"));
   CHECK_THAT(error_of(folder.write("a.gz", "x")), Contains("expected .raw"));
   for (const char* name : {"a.vdb", "a.nvdb", "a.mhd", "a.MHA"})
-    CHECK_THAT(error_of(folder.write(name, "x")), Contains("not supported by this build") && Contains("expected .raw"));
+    CHECK_THAT(error_of(folder.write(name, "x")),
+               Contains("not supported by this build") && Contains("expected .raw"));
   CHECK_THAT(error_of(folder.write("a.nrrd", "x"), {{{2, 2, 2}}, {}}), Contains(".raw files only"));
   CHECK_THAT(error_of(folder.write("a.nii", "x"), {{}, {}, true}), Contains(".raw files only"));
 }
@@ -25,9 +27,7 @@ TEST_CASE("what is no readable file is told in every format", "[io]") {
     CHECK_THAT(error_of(folder.path() / name), Contains(name) && Contains("it is a folder"));
     std::filesystem::remove(folder.path() / name);
     CHECK_THAT(error_of(folder.write(name, "")), Contains(name));
-    std::string garbage;
-    for (int i = 0; i < 4096; ++i) garbage += static_cast<char>(i * 2654435761u >> 13);
-    if (!name.ends_with(".raw")) CHECK_THAT(error_of(folder.write(name, garbage)), Contains(name));
+    if (!name.ends_with(".raw")) CHECK_THAT(error_of(folder.write(name, noise(4096))), Contains(name));
     if (geteuid() == 0) continue;
     std::filesystem::permissions(folder.path() / name, std::filesystem::perms::none);
     CHECK_THAT(error_of(folder.path() / name), Contains("Permission denied"));
