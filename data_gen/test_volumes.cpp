@@ -1,4 +1,5 @@
 #include <isocast/base/error.h>
+#include <isocast/base/text.h>
 #include <isocast/data_gen/hash.h>
 #include <isocast/data_gen/test_volumes.h>
 #include <isocast/data_gen/vessel.h>

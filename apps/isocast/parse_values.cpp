@@ -1,5 +1,6 @@
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/base/error.h>
+#include <isocast/base/text.h>
 #include <isocast/implicit/expression/nearest_name.h>
 
 #include <fmt/format.h>

@@ -36,12 +36,4 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
                            });
 }
 
-std::string in_quotes(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  std::string text(word.substr(0, kLongest));
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');
-  return fmt::format("'{}{}'", text, word.size() > kLongest ? "..." : "");
-}
-
 }  // namespace isocast

@@ -11,7 +11,4 @@ namespace isocast {
 /// name.
 [[nodiscard]] std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
 
-/// `word` in quotes for a message, cut after 40 bytes, without control characters.
-[[nodiscard]] std::string in_quotes(std::string_view word);
-
 }  // namespace isocast

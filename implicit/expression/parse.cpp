@@ -1,4 +1,5 @@
 #include <isocast/base/error.h>
+#include <isocast/base/text.h>
 #include <isocast/implicit/expression/builtins.h>
 #include <isocast/implicit/expression/lexer.h>
 #include <isocast/implicit/expression/nearest_name.h>

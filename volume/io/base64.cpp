@@ -1,3 +1,4 @@
+#include <isocast/base/text.h>
 #include <isocast/volume/io/base64.h>
 #include <isocast/volume/io/header_text.h>
 
@@ -37,7 +38,7 @@ std::vector<std::byte> decode_base64(std::string_view text, std::size_t limit,
   for (std::size_t i = 0; i < text.size() && bytes.size() < limit; ++i) {
     const std::uint8_t digit = kDigits[static_cast<std::uint8_t>(text[i])];
     if (digit == kSpace) continue;
-    if (digit == kBad) throw fail(i, "unexpected " + printable(text.substr(i, 1)));
+    if (digit == kBad) throw fail(i, "unexpected " + in_quotes(text.substr(i, 1)));
     if (digit == kPad ? digits < 2 : pads > 0) throw fail(i, "misplaced padding");
 
     // four digits make three bytes, fewer with padding

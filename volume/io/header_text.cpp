@@ -11,14 +11,6 @@ InputError read_error(const std::filesystem::path& path, const std::string& what
   return InputError(fmt::format("cannot read {}: {}", path.string(), what));
 }
 
-std::string printable(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  std::string shown(text.substr(0, kLongest));
-  for (char& c : shown)
-    if (c < ' ' || c > '~') c = '?';
-  return fmt::format("'{}{}'", shown, text.size() > kLongest ? "..." : "");
-}
-
 std::string lower_case(std::string_view text) {
   std::string lower(text);
   for (char& c : lower)

@@ -15,9 +15,6 @@ namespace isocast {
 /// "cannot read PATH: WHAT", to be thrown.
 [[nodiscard]] InputError read_error(const std::filesystem::path& path, const std::string& what);
 
-/// A file's words for a message: between quotes, at most 40 characters, anything unprintable as '?'.
-[[nodiscard]] std::string printable(std::string_view text);
-
 [[nodiscard]] std::string lower_case(std::string_view text);
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 /// The words between any of `separators`, none of them empty.

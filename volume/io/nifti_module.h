@@ -11,8 +11,8 @@ namespace isocast {
 /// Size of the larger header, that of NIfTI-2.
 inline constexpr std::size_t kNiftiHeaderBytes = 540;
 
-/// What a header says. Missing dims are 1; type is libnifti's word ("UINT8"); problem: why the header cannot be
-/// used, and then nothing else is set.
+/// What a header says. Missing dims are 1; type is libnifti's word ("UINT8"); problem: why the header cannot
+/// be used, and then nothing else is set.
 struct NiftiHeader {
   std::string problem;
   std::int64_t dims[3] = {1, 1, 1};

@@ -1,3 +1,4 @@
+#include <isocast/base/text.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/nrrd.h>
 #include <isocast/volume/io/nrrd_header.h>
@@ -58,7 +59,7 @@ std::filesystem::path data_path(const NrrdHeader& header, const std::filesystem:
   const std::string& name = header.data_file;
   if (name == "LIST" || name.starts_with("LIST ") || name.find('%') != name.npos)
     throw read_error(path,
-                     "its samples lie in several files (" + printable(name) + "), expected one data file");
+                     "its samples lie in several files (" + in_quotes(name) + "), expected one data file");
   return path.parent_path() / name;
 }
 
@@ -90,7 +91,7 @@ void read_samples(Volume& volume, const NrrdHeader& header, const MappedFile& fi
   }
   if (header.encoding != "gzip" && header.encoding != "gz")
     throw read_error(
-        path, "the encoding " + printable(header.encoding) + " is not supported, expected raw or gzip");
+        path, "the encoding " + in_quotes(header.encoding) + " is not supported, expected raw or gzip");
   if (header.byte_skip < 0) throw read_error(path, "a byte skip of -1 needs the encoding raw");
   Inflater inflater(file.bytes.subspan(offset), path);
   inflater.skip(static_cast<std::uint64_t>(header.byte_skip));

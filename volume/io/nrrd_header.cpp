@@ -1,3 +1,4 @@
+#include <isocast/base/text.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/nrrd_header.h>
 
@@ -19,7 +20,7 @@ struct Field {
     return read_error(path, fmt::format("line {}: {}", line, what));
   }
   InputError unexpected(std::string_view expected) const {
-    return error(fmt::format("field '{}' has the value {}, expected {}", name, printable(value), expected));
+    return error(fmt::format("field '{}' has the value {}, expected {}", name, in_quotes(value), expected));
   }
 };
 
@@ -144,7 +145,7 @@ void read_key(NrrdHeader& header, const std::filesystem::path& path, int line, s
   const std::optional<double> number = to_number<double>(trimmed(value));
   if (!number)
     throw read_error(path, fmt::format("line {}: key '{}' has the value {}, expected a number", line, key,
-                                       printable(value)));
+                                       in_quotes(value)));
   (key == "isocast_slope" ? header.slope : header.intercept) = *number;
 }
 
@@ -155,7 +156,7 @@ void read_line(NrrdHeader& header, const std::filesystem::path& path, int line, 
   const std::size_t colon = text.find(':');
   if (colon == text.npos)
     throw read_error(path, fmt::format("line {}: found {}, expected 'field: value', 'key:=value' or '#'",
-                                       line, printable(text)));
+                                       line, in_quotes(text)));
   if (text.substr(colon).starts_with(":="))
     return read_key(header, path, line, text.substr(0, colon), text.substr(colon + 2));
 
@@ -183,7 +184,7 @@ NrrdHeader parse_nrrd_header(std::string_view text, const std::filesystem::path&
     if (line == 1 &&
         !(content.size() == 8 && content.starts_with("NRRD000") && content[7] >= '1' && content[7] <= '5'))
       throw read_error(path, fmt::format("it starts with {}, expected the magic NRRD0001 to NRRD0005",
-                                         printable(content)));
+                                         in_quotes(content)));
     if (content.empty()) header.ended = true;
     else if (line > 1) read_line(header, path, line, content);
   }

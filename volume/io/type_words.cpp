@@ -1,3 +1,4 @@
+#include <isocast/base/text.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/type_words.h>
 
@@ -50,10 +51,10 @@ SampleType sample_type_from_word(std::string_view word, std::string_view where) 
   if (const TypeWords* found = find_word(kSupported, lower)) return found->type;
   if (const TypeWords* found = find_word(kNearest, lower))
     throw InputError(fmt::format("{}: the sample type {} is not possible, the nearest that is possible is {}",
-                                 where, printable(word), name_of(found->type)));
+                                 where, in_quotes(word), name_of(found->type)));
   throw InputError(
       fmt::format("{}: unknown sample type {}, expected one of u8 i8 u16 i16 u32 i32 f16 f32 f64", where,
-                  printable(word)));
+                  in_quotes(word)));
 }
 
 }  // namespace isocast

@@ -1,3 +1,4 @@
+#include <isocast/base/text.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/samples.h>
 #include <isocast/volume/io/type_words.h>
@@ -46,7 +47,7 @@ std::vector<N> numbers_of(pugi::xml_node node, const char* name, std::size_t cou
   const auto numbers = to_numbers<N>(text, count);
   if (!numbers)
     throw read_error(path, fmt::format("attribute {} of {} is {}, expected {} numbers", name, node.name(),
-                                       printable(text), count));
+                                       in_quotes(text), count));
   return *numbers;
 }
 
@@ -87,13 +88,13 @@ pugi::xml_node find_scalars(pugi::xml_node piece, const std::filesystem::path& p
   if (!active.empty()) {
     array = points.find_child_by_attribute("DataArray", "Name", active.c_str());
     if (!array)
-      throw read_error(path, "its point data has no array " + printable(active) + ", which Scalars names");
+      throw read_error(path, "its point data has no array " + in_quotes(active) + ", which Scalars names");
   } else {
     while (components(array) != 1 && array.next_sibling("DataArray")) array = array.next_sibling("DataArray");
   }
   if (components(array) != 1)
     throw read_error(path, fmt::format("the array {} has {} components, expected scalars",
-                                       printable(array.attribute("Name").as_string()), components(array)));
+                                       in_quotes(array.attribute("Name").as_string()), components(array)));
   return array;
 }
 
@@ -105,7 +106,7 @@ VtiArray locate_array(const VtiDocument& document, pugi::xml_node array, const s
     const std::string_view value = node.attribute(name).as_string(fallback.data());
     if (value != first && value != second)
       throw read_error(path, fmt::format("attribute {} of {} is {}, expected {} or {}", name, node.name(),
-                                         printable(value), first, second));
+                                         in_quotes(value), first, second));
     return value == second;
   };
   VtiArray found;
@@ -115,7 +116,7 @@ VtiArray locate_array(const VtiDocument& document, pugi::xml_node array, const s
   found.compressed = !compressor.empty();
   if (found.compressed && compressor != "vtkZLibDataCompressor")
     throw read_error(path, fmt::format("the compressor {} is not supported, expected vtkZLibDataCompressor",
-                                       printable(compressor)));
+                                       in_quotes(compressor)));
 
   // inline
   const std::string_view format = array.attribute("format").as_string();
@@ -127,7 +128,7 @@ VtiArray locate_array(const VtiDocument& document, pugi::xml_node array, const s
   if (format != "appended")
     throw read_error(path,
                      fmt::format("attribute format of DataArray is {}, expected ascii, binary or appended",
-                                 printable(format)));
+                                 in_quotes(format)));
 
   // appended: raw runs to the end of the file, base64 to the closing tag
   const pugi::xml_node appended = file.child("AppendedData");
@@ -141,7 +142,7 @@ VtiArray locate_array(const VtiDocument& document, pugi::xml_node array, const s
   const auto offset = to_number<std::uint64_t>(offset_text);
   if (!offset || *offset > data.size())
     throw read_error(path, fmt::format("attribute offset of DataArray is {}, expected a number up to {}",
-                                       printable(offset_text), data.size()));
+                                       in_quotes(offset_text), data.size()));
   found.text = data.substr(*offset);
   return found;
 }

@@ -1,5 +1,6 @@
 #include <isocast/base/interrupt.h>
 #include <isocast/base/progress.h>
+#include <isocast/base/text.h>
 #include <isocast/volume/io/base64.h>
 #include <isocast/volume/io/byte_order.h>
 #include <isocast/volume/io/header_text.h>
@@ -167,7 +168,7 @@ void read_ascii(Volume& volume, const VtiArray& array, const std::filesystem::pa
         const std::optional<S> sample = to_sample<S>(word);
         if (!sample)
           throw read_error(path, fmt::format("number {} of the data array is {}, expected one of type {}", i,
-                                             printable(word), name_of(volume.type)));
+                                             in_quotes(word), name_of(volume.type)));
         std::memcpy(samples + i * sizeof(S), &*sample, sizeof(S));
         rest.remove_prefix(word.size());
         rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
