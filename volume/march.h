@@ -70,26 +70,30 @@ struct Shifts {
 template <class S>
 ISO_HD inline std::uint32_t march(const TypedGrid<S>& grid, const Shifts& shifts, const GridRay& ray, GridWalk& walk, bool tested, TraceCounts& counts) {
   std::uint32_t active = 0;
+  std::int64_t cells = 0, macrocells = 0;
   for (;;) {
     bool found = false;
     if (walk.depth == kCells) {
       found = walk_level(ray, walk, tested, [&](const std::int32_t (&c)[3]) {
-        ++counts.cells;
+        ++cells;
         active = grid.active_isos(c);
         return active != 0;
       });
-      if (found) return active;
+      if (found) break;
     } else {
       const MacroLevel& blocks = grid.grid.levels[walk.depth];
       found = walk_level(ray, walk, tested, [&](const std::int32_t (&b)[3]) {
-        ++counts.macrocells;
+        ++macrocells;
         return grid.block_active(blocks, b);
       });
     }
     tested = false;
     if (found) descend(ray, shifts.of[walk.depth], shifts.of[walk.depth + 1], walk);
-    else if (!ascend(ray, walk)) return 0;
+    else if (!ascend(ray, walk)) break;
   }
+  counts.cells += cells;
+  counts.macrocells += macrocells;
+  return active;
 }
 
 }  // namespace isocast::inline ISO_ISA

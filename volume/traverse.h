@@ -85,23 +85,23 @@ ISO_HD inline void set_block(const GridRay& ray, LevelWalk& level, int a, std::i
   level.t_next[a] = ray.step[a] ? ray.plane_t(a, level.plane[a]) : __builtin_inf();
 }
 
-/// The block along axis a after all crossings up to (t_in, axis_in), searched in [lo, hi] from the rounded position.
-ISO_HD inline std::int32_t find_block(const GridRay& ray, const GridWalk& walk, const LevelWalk& level, int a, std::int32_t lo, std::int32_t hi) {
+/// The same for the block after all crossings up to (t_in, axis_in): searched from the rounded position, which is off by one
+/// at most unless the ray comes from very far.
+ISO_HD inline void find_block(const GridRay& ray, const GridWalk& walk, LevelWalk& level, int a, std::int32_t lo, std::int32_t hi) {
   const double position = (ray.o[a] + (ray.step[a] ? walk.t_in * ray.d[a] : 0.0)) * level.per_size;
-  std::int32_t b = position > double(lo) ? (position < double(hi) ? std::int32_t(position) : hi) : lo;
-  const auto behind = [&](std::int32_t k) {
-    return crossed(ray.plane_t(a, min(double(k) * level.size, ray.last[a])), a, walk.t_in, walk.axis_in);
-  };
-  if (ray.step[a] > 0) {
-    while (b < hi && behind(b + 1)) ++b;
-    while (b > lo && !behind(b)) --b;
-  } else if (ray.step[a] < 0) {
-    while (b > lo && behind(b)) --b;
-    while (b < hi && !behind(b + 1)) ++b;
-  } else if (ray.d[a] < 0 && b > lo && double(b) * level.size >= ray.o[a]) {
-    --b;  // parallel for all that doubles can tell, but below the plane it starts on
+  const std::int32_t guess = position > double(lo) ? (position < double(hi) ? std::int32_t(position) : hi) : lo;
+  set_block(ray, level, a, guess, lo, hi);
+  if (ray.step[a] == 0) {
+    // parallel for all that doubles can tell, but below the plane it starts on
+    if (ray.d[a] < 0 && guess > lo && double(guess) * level.size >= ray.o[a]) --level.at[a];
+    return;
   }
-  return b;
+  // forwards over planes that are crossed already, back over such that are not
+  const std::int32_t ahead = ray.step[a] > 0 ? hi : lo, behind = ray.step[a] > 0 ? lo : hi, near = ray.step[a] < 0;
+  while (level.at[a] != ahead && crossed(level.t_next[a], a, walk.t_in, walk.axis_in)) set_block(ray, level, a, level.at[a] + ray.step[a], lo, hi);
+  while (level.at[a] != behind &&
+         !crossed(ray.plane_t(a, min(double(level.at[a] + near) * level.size, ray.last[a])), a, walk.t_in, walk.axis_in))
+    set_block(ray, level, a, level.at[a] - ray.step[a], lo, hi);
 }
 
 /// Enters the box of samples on the coarsest level, whose blocks have 2^shift cells; false when [t_min, t_max] of the ray
@@ -130,7 +130,7 @@ ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, double t_m
   set_size(level, shift);
   for (int a = 0; a < 3; ++a) {
     const std::int32_t hi = (std::int32_t(ray.last[a]) - 1) >> shift;
-    set_block(ray, level, a, find_block(ray, walk, level, a, 0, hi), 0, hi);
+    find_block(ray, walk, level, a, 0, hi);
   }
   return true;
 }
@@ -143,8 +143,8 @@ ISO_HD inline void descend(const GridRay& ray, std::int32_t shift, std::int32_t 
   for (int a = 0; a < 3; ++a) {
     const std::int32_t lo = from.at[a] << (shift - finer), last = (std::int32_t(ray.last[a]) - 1) >> finer;
     const std::int32_t full = lo + (1 << (shift - finer)) - 1, hi = full < last ? full : last;
-    const bool entered_here = a == walk.axis_in;
-    set_block(ray, to, a, entered_here ? (ray.step[a] > 0 ? lo : hi) : find_block(ray, walk, to, a, lo, hi), lo, hi);
+    if (a == walk.axis_in) set_block(ray, to, a, ray.step[a] > 0 ? lo : hi, lo, hi);  // entered through this face
+    else find_block(ray, walk, to, a, lo, hi);
   }
 }
 

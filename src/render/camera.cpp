@@ -60,23 +60,33 @@ Double3 View::image_point(double u, double v) const {
 void View::fill(int tx, int ty, double offset_u, double offset_v, RayStream& rays) const {
   rays.size = kStreamSize;
   rays.kind = RayKind::primary;
+  const Double3 corner = image_point(0, 0), fixed = orthographic_ ? forward_ : eye_;
   for (int i = 0; i < kStreamSize; ++i) {
     // packet p of 4x4 pixels, lane l in it
     const int p = i / 16, l = i % 16;
     const int x = tx * kTileSize + p % 4 * 4 + l % 4, y = ty * kTileSize + p / 4 * 4 + l / 4;
     const bool inside = x < width_ && y < height_;
-    const double u = x + offset_u, v = y + offset_v;
-    const Double3 point = image_point(u, v);
-    const Double3 o = orthographic_ ? point : eye_, d = orthographic_ ? forward_ : normalized(point);
-    rays.ox[i] = o[0], rays.oy[i] = o[1], rays.oz[i] = o[2];
-    rays.dx[i] = d[0], rays.dy[i] = d[1], rays.dz[i] = d[2];
+    rays.u[i] = static_cast<float>(x + offset_u);
+    rays.v[i] = static_cast<float>(y + offset_v);
     rays.t_min[i] = inside ? 0 : 1;
     rays.t_max[i] = inside ? __builtin_inf() : 0;
-    rays.u[i] = static_cast<float>(u);
-    rays.v[i] = static_cast<float>(v);
     rays.id[i] = inside ? static_cast<std::uint32_t>(x + y * width_) : 0;
     rays.start_object[i] = kNoObject;
     rays.start_sides[i] = 0;
+    // the point on the image plane, in double
+    const double u = x + offset_u, v = y + offset_v;
+    rays.ox[i] = corner[0] + u * right_[0] + v * down_[0];
+    rays.oy[i] = corner[1] + u * right_[1] + v * down_[1];
+    rays.oz[i] = corner[2] + u * right_[2] + v * down_[2];
+  }
+  for (int i = 0; i < kStreamSize; ++i) {
+    const double x = rays.ox[i], y = rays.oy[i], z = rays.oz[i], scale = 1 / std::sqrt(x * x + y * y + z * z);
+    rays.dx[i] = orthographic_ ? fixed[0] : scale * x;
+    rays.dy[i] = orthographic_ ? fixed[1] : scale * y;
+    rays.dz[i] = orthographic_ ? fixed[2] : scale * z;
+    rays.ox[i] = orthographic_ ? x : fixed[0];
+    rays.oy[i] = orthographic_ ? y : fixed[1];
+    rays.oz[i] = orthographic_ ? z : fixed[2];
   }
 }
 
