@@ -15,6 +15,11 @@ struct MacroLevel {
 };
 inline constexpr int kMacroLevels = 2;
 
+/// Blocks lo...hi of the coarsest level, both ends included; empty where lo > hi.
+struct BlockBox {
+  std::int32_t lo[3], hi[3];
+};
+
 /// dims[0] varies fastest. There are dims - 1 cells per axis; cell c has its lowest corner at sample c.
 struct GridView {
   const void* samples;

@@ -66,7 +66,7 @@ template <class A> void gather(const MacroLevel& fine, const MacroLevel& coarse,
 
 }  // namespace
 
-MacroCells::MacroCells(const Volume& volume) {
+MacroCells::MacroCells(const Volume& volume) : type_(volume.type) {
   visit_sample_type(volume.type, [&](auto tag) {
     using S = typename decltype(tag)::Type;
     using A = typename SampleTraits<S>::Arithmetic;
@@ -89,6 +89,30 @@ MacroCells::MacroCells(const Volume& volume) {
       });
     }
   });
+}
+
+BlockBox MacroCells::active_box(std::span<const double> keys) const {
+  const MacroLevel& level = levels_[0];
+  BlockBox box{{level.dims[0], level.dims[1], level.dims[2]}, {-1, -1, -1}};
+  visit_sample_type(type_, [&](auto tag) {
+    using S = typename decltype(tag)::Type;
+    const auto* range = static_cast<const typename SampleTraits<S>::Arithmetic*>(level.ranges);
+    for (std::int32_t z = 0; z < level.dims[2]; ++z)
+      for (std::int32_t y = 0; y < level.dims[1]; ++y)
+        for (std::int32_t x = 0; x < level.dims[0]; ++x, range += 2) {
+          const bool active = std::ranges::any_of(keys, [&](double k) {
+            const auto key = static_cast<typename SampleTraits<S>::Key>(k);
+            return range[0] < key && !(range[1] < key);
+          });
+          if (!active) continue;
+          const std::int32_t at[3] = {x, y, z};
+          for (int a = 0; a < 3; ++a) {
+            box.lo[a] = std::min(box.lo[a], at[a]);
+            box.hi[a] = std::max(box.hi[a], at[a]);
+          }
+        }
+  });
+  return box;
 }
 
 std::size_t MacroCells::bytes() const {

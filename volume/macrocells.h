@@ -5,6 +5,7 @@
 #include <isocast/volume/volume.h>
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace isocast {
@@ -19,9 +20,13 @@ class MacroCells {
   [[nodiscard]] const MacroLevel& level(int i) const { return levels_[i]; }
   [[nodiscard]] std::size_t bytes() const;
 
+  /// The box of all coarse blocks whose range some iso-value's key parts (sample.h): outside, every cell lies on one side.
+  [[nodiscard]] BlockBox active_box(std::span<const double> keys) const;
+
  private:
   std::vector<std::byte> ranges_[kMacroLevels];
   MacroLevel levels_[kMacroLevels];
+  SampleType type_;
 };
 
 }  // namespace isocast

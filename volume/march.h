@@ -2,7 +2,7 @@
 #pragma once
 
 #include <isocast/ray/hit.h>
-#include <isocast/volume/kernels.h>
+#include <isocast/volume/query.h>
 #include <isocast/volume/sample.h>
 #include <isocast/volume/traverse.h>
 

@@ -2,18 +2,15 @@
 #pragma once
 
 #include <isocast/volume/cell/cell.h>
-#include <isocast/volume/cell/kernels.h>
 #include <isocast/volume/march.h>
 
 namespace isocast::inline ISO_ISA {
 
-extern const CellKernels cell_kernel_table;
-
 inline void solve_packet(const VolumeQuery& query, const CellPacket<float>& packet, RootPacket<float>& roots) {
-  cell_kernel_table.solve_float[int(query.method)](query.options, &packet, &roots, 1);
+  query.cells->solve_float[int(query.method)](query.options, &packet, &roots, 1);
 }
 inline void solve_packet(const VolumeQuery& query, const CellPacket<double>& packet, RootPacket<double>& roots) {
-  cell_kernel_table.solve_double[int(query.method)](query.options, &packet, &roots, 1);
+  query.cells->solve_double[int(query.method)](query.options, &packet, &roots, 1);
 }
 
 /// What a lane carries from cell to cell. Only in its first cell may the signs at the start be known (bits of `sides`, f is

@@ -56,13 +56,14 @@ struct LevelWalk {
 ///
 /// t_in, axis_in  the last crossing; axis_in is kStart where the ray starts inside the grid
 /// t_end          end of the ray or of the grid
-/// depth          the level the walk is on; finer levels hold no meaning
+/// depth          the level the walk is on
+/// finest         the finest level whose state is that of (t_in, axis_in); still finer ones hold no meaning
 /// moved          false until the first crossing
 struct GridWalk {
   static constexpr int kStart = 3;
   LevelWalk level[kWalkLevels];
   double t_in, t_end;
-  int axis_in, depth;
+  int axis_in, depth, finest;
   bool moved;
 
   ISO_HD const std::int32_t (&cell() const)[3] { return level[kCells].at; }
@@ -104,21 +105,23 @@ ISO_HD inline void find_block(const GridRay& ray, const GridWalk& walk, LevelWal
     set_block(ray, level, a, level.at[a] - ray.step[a], lo, hi);
 }
 
-/// Enters the box of samples on the coarsest level, whose blocks have 2^shift cells; false when [t_min, t_max] of the ray
-/// misses it, or anything is NaN.
-ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, double t_min, double t_max, GridWalk& walk) {
+/// Enters a box of the grid on the coarsest level, whose blocks have 2^shift cells: between the lower planes of its first
+/// blocks and the upper planes of its last ones. False when [t_min, t_max] of the ray misses it, or anything is NaN.
+ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, const BlockBox& box, double t_min, double t_max, GridWalk& walk) {
   walk.t_in = t_min;
   walk.t_end = min(t_max, __DBL_MAX__);  // planes that are never met, at +inf, lie behind the end
   walk.axis_in = GridWalk::kStart;
-  walk.depth = 0;
+  walk.depth = walk.finest = 0;
   walk.moved = false;
+  LevelWalk& level = walk.level[0];
+  set_size(level, shift);
   for (int a = 0; a < 3; ++a) {
+    const double low = double(box.lo[a]) * level.size, high = min(double(box.hi[a] + 1) * level.size, ray.last[a]);
     if (ray.step[a] == 0) {
-      if (!(ray.o[a] >= 0 && ray.o[a] <= ray.last[a] && ray.d[a] == ray.d[a])) return false;
+      if (!(ray.o[a] >= low && ray.o[a] <= high && ray.d[a] == ray.d[a])) return false;
       continue;
     }
-    const bool up = ray.step[a] > 0;
-    const double near = ray.plane_t(a, up ? 0 : ray.last[a]), far = ray.plane_t(a, up ? ray.last[a] : 0);
+    const double near = ray.plane_t(a, ray.step[a] > 0 ? low : high), far = ray.plane_t(a, ray.step[a] > 0 ? high : low);
     if (walk.axis_in == GridWalk::kStart ? near > walk.t_in : near >= walk.t_in) {
       walk.t_in = near;
       walk.axis_in = a;
@@ -126,12 +129,7 @@ ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, double t_m
     walk.t_end = min(walk.t_end, far);
   }
   if (!(walk.t_in <= walk.t_end && walk.t_in < __builtin_inf())) return false;
-  LevelWalk& level = walk.level[0];
-  set_size(level, shift);
-  for (int a = 0; a < 3; ++a) {
-    const std::int32_t hi = (std::int32_t(ray.last[a]) - 1) >> shift;
-    find_block(ray, walk, level, a, 0, hi);
-  }
+  for (int a = 0; a < 3; ++a) find_block(ray, walk, level, a, box.lo[a], box.hi[a]);
   return true;
 }
 
@@ -139,10 +137,18 @@ ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, double t_m
 ISO_HD inline void descend(const GridRay& ray, std::int32_t shift, std::int32_t finer, GridWalk& walk) {
   const LevelWalk& from = walk.level[walk.depth];
   LevelWalk& to = walk.level[++walk.depth];
+  const std::int32_t size = 1 << (shift - finer);
+  if (walk.finest >= walk.depth) {  // come from the neighbouring block: only the border has moved
+    const int a = walk.axis_in;
+    const std::int32_t beyond = ((std::int32_t(ray.last[a]) - 1) >> finer) + 1, end = to.end[a] + ray.step[a] * size;
+    to.end[a] = end < beyond ? end : beyond;
+    return;
+  }
+  walk.finest = walk.depth;
   set_size(to, finer);
   for (int a = 0; a < 3; ++a) {
-    const std::int32_t lo = from.at[a] << (shift - finer), last = (std::int32_t(ray.last[a]) - 1) >> finer;
-    const std::int32_t full = lo + (1 << (shift - finer)) - 1, hi = full < last ? full : last;
+    const std::int32_t lo = from.at[a] * size, last = (std::int32_t(ray.last[a]) - 1) >> finer;
+    const std::int32_t hi = lo + size - 1 < last ? lo + size - 1 : last;
     if (a == walk.axis_in) set_block(ray, to, a, ray.step[a] > 0 ? lo : hi, lo, hi);  // entered through this face
     else find_block(ray, walk, to, a, lo, hi);
   }
@@ -165,6 +171,7 @@ template <class Test> ISO_HD inline bool walk_level(const GridRay& ray, GridWalk
   const auto take = [&](int a) {
     walk.t_in = level.t_next[a];
     walk.axis_in = a;
+    walk.finest = walk.depth;
     inside = cross(ray, level, a) && walk.t_in <= walk.t_end;
   };
   while (!found && inside) {
@@ -195,7 +202,7 @@ ISO_HD inline void resume_in_cell(const GridRay& ray, const std::int32_t (&shift
                                   double t_min, GridWalk& walk) {
   walk.t_in = t_min;
   walk.axis_in = GridWalk::kStart;
-  walk.depth = kCells;
+  walk.depth = walk.finest = kCells;
   walk.moved = false;
   for (int a = 0; a < 3; ++a) {
     for (int l = 0; l < kWalkLevels; ++l) {

@@ -42,10 +42,17 @@ VolumeSurface::VolumeSurface(std::shared_ptr<const Volume> volume, const VolumeS
   for (int i = 0; i < kMacroLevels; ++i) grid.levels[i] = macrocells_.level(i);
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 4; ++c) query_.grid_from_world[r][c] = grid_from_world_.m[r][c];
-  const Box samples{{0, 0, 0}, {double(grid.dims[0] - 1), double(grid.dims[1] - 1), double(grid.dims[2] - 1)}};
-  for (int i = 0; i < 8; ++i) bounds_.add(volume_->world_from_grid.point(samples.corner(i)));
+  bounds_ = world_box({0, 0, 0}, {double(grid.dims[0] - 1), double(grid.dims[1] - 1), double(grid.dims[2] - 1)});
   set_options(options);
 }
+
+Box VolumeSurface::world_box(const Double3& lo, const Double3& hi) const {
+  Box box;
+  for (int i = 0; i < 8; ++i) box.add(volume_->world_from_grid.point(Box{lo, hi}.corner(i)));
+  return box;
+}
+
+bool VolumeSurface::narrow(const TileFrustum& tile) const { return !active_bounds_.empty() && tile.may_meet(active_bounds_); }
 
 void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
   if (options.iso.empty() || options.iso.size() > kMaxIsos)
@@ -57,22 +64,29 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
     query_.iso[i] = stored;
     query_.key[i] = iso_key(volume_->type, stored, options.double_precision);
   }
+  query_.active = macrocells_.active_box({query_.key, static_cast<std::size_t>(query_.iso_count)});
+  active_bounds_ = Box();
+  if (const BlockBox& b = query_.active; b.lo[0] <= b.hi[0]) {
+    const double size = 1 << query_.grid.levels[0].shift;
+    active_bounds_ = world_box({b.lo[0] * size, b.lo[1] * size, b.lo[2] * size}, {(b.hi[0] + 1) * size, (b.hi[1] + 1) * size, (b.hi[2] + 1) * size});
+  }
   query_.method = options.method.method;
   query_.options = options.method.options;
   query_.double_precision = options.double_precision;
   query_.object = options.object;
   normals_ = options.normals;
-  kernels_ = &volume_kernels(options.isa);
+  query_.cells = &cell_kernels(options.isa);
 }
 
 void VolumeSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
+  if (active_bounds_.empty()) return;
   const DefaultFloatEnvironment environment;
-  kernels_->first_hit(query_, rays, hits, counts);
+  trace_first_hits(query_, rays, hits, counts);
 }
 
 void VolumeSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   const DefaultFloatEnvironment environment;
-  kernels_->next_hit(query_, rays, hits, counts);
+  trace_next_hits(query_, rays, hits, counts);
 }
 
 void VolumeSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes, DressedHits& dressed) const {

@@ -3,7 +3,7 @@
 
 #include <isocast/isa/cpu.h>
 #include <isocast/ray/surface.h>
-#include <isocast/volume/kernels.h>
+#include <isocast/volume/query.h>
 #include <isocast/volume/macrocells.h>
 #include <isocast/volume/methods.h>
 #include <isocast/volume/volume.h>
@@ -28,7 +28,7 @@ struct VolumeSurfaceOptions {
   std::uint16_t object = 0;
 };
 
-/// Holds the samples and their macrocells; options may change without rebuilding anything.
+/// Holds the samples and their macrocells; other options need one look at the coarsest macrocells and rebuild nothing.
 class VolumeSurface final : public Surface {
  public:
   /// Throws InputError when the volume has fewer than two samples along an axis, or options cannot be used.
@@ -37,18 +37,22 @@ class VolumeSurface final : public Surface {
   void set_options(const VolumeSurfaceOptions& options);
   [[nodiscard]] const MacroCells& macrocells() const { return macrocells_; }
 
+  /// The whole grid, whatever the iso-values.
   [[nodiscard]] Box bounds() const override { return bounds_; }
+  /// By the box of the blocks that hold an iso-value.
+  [[nodiscard]] bool narrow(const TileFrustum& tile) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes, DressedHits& dressed) const override;
 
  private:
+  [[nodiscard]] Box world_box(const Double3& lo, const Double3& hi) const;
+
   std::shared_ptr<const Volume> volume_;
   MacroCells macrocells_;
   Transform grid_from_world_;
-  Box bounds_;
+  Box bounds_, active_bounds_;
   VolumeQuery query_ = {};
-  const VolumeKernels* kernels_;
   NormalKind normals_;
 };
 

@@ -16,6 +16,8 @@ using namespace isocast;
 namespace {
 
 constexpr std::int32_t kShifts[kWalkLevels] = {4, 2, 0};
+constexpr std::int32_t kDims[3] = {21, 18, 6};
+constexpr BlockBox kWhole = {{0, 0, 0}, {1, 1, 0}};  // of 16^3 cells: 20 x 17 x 5 of them
 const double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Visit {
@@ -28,7 +30,7 @@ template <class Enter>
 std::vector<Visit> walk_cells(const GridRay& ray, double t_min, double t_max, Enter enter) {
   std::vector<Visit> visits;
   GridWalk walk;
-  if (!enter_grid(ray, kShifts[0], t_min, t_max, walk)) return visits;
+  if (!enter_grid(ray, kShifts[0], kWhole, t_min, t_max, walk)) return visits;
   for (;;) {
     bool found;
     if (walk.depth == kCells) {
@@ -80,7 +82,6 @@ struct TestRay {
   double t_max;
 };
 
-constexpr std::int32_t kDims[3] = {21, 18, 6};
 
 // Rays of every awkward kind at a grid of 21 x 18 x 6 samples.
 TestRay random_ray(std::mt19937_64& random) {
@@ -196,7 +197,7 @@ TEST_CASE("a walk resumed in a cell has the state of the walk that came there") 
     const GridRay grid = grid_ray(ray);
     for (const Visit& v : walk_all(grid, 0, ray.t_max)) {
       GridWalk walk;
-      if (!enter_grid(grid, kShifts[0], 0, ray.t_max, walk)) continue;
+      if (!enter_grid(grid, kShifts[0], kWhole, 0, ray.t_max, walk)) continue;
       const std::int32_t cell[3] = {v.cell[0], v.cell[1], v.cell[2]};
       resume_in_cell(grid, kShifts, cell, 0, walk);
       REQUIRE(walk.t_in == v.t_in);
@@ -217,6 +218,6 @@ TEST_CASE("rays that cannot meet the grid do not enter it") {
     const double origin[3] = {o[0], o[1], o[2]}, direction[3] = {d[0], d[1], d[2]};
     const GridRay ray = make_grid_ray(origin, direction, kDims);
     INFO(o[0] << " " << d[0]);
-    CHECK_FALSE(enter_grid(ray, kShifts[0], 0, kInfinity, walk));
+    CHECK_FALSE(enter_grid(ray, kShifts[0], kWhole, 0, kInfinity, walk));
   }
 }

@@ -1,11 +1,7 @@
-// Compiled once per instruction set: streams of rays through grids of every sample type.
-#include <isocast/math/pack.h>
+// Streams of rays through grids of every sample type.
 #include <isocast/volume/trace.h>
 
-namespace isocast::inline ISO_ISA {
-
-extern const VolumeKernels volume_kernel_table;
-
+namespace isocast {
 namespace {
 
 // The ray of a slot in grid space.
@@ -24,14 +20,14 @@ bool start(const VolumeQuery& query, const RayStream& rays, const HitStream& hit
   lane.ray = grid_ray(query, rays, i);
   lane.carried = rays.start_object[i] == query.object;
   lane.sides = rays.start_sides[i];
-  return enter_grid(lane.ray, query.grid.levels[0].shift, rays.t_min[i], min(hits.t[i], rays.t_max[i]), lane.walk);
+  return enter_grid(lane.ray, query.grid.levels[0].shift, query.active, rays.t_min[i], min(hits.t[i], rays.t_max[i]), lane.walk);
 }
 
 // A ray behind its hit, which is cleared.
 bool resume(const VolumeQuery& query, const RayStream& rays, HitStream& hits, int i, Lane& lane) {
   if (hits.object[i] != query.object || !(hits.t[i] < __builtin_inf())) return false;
   lane.ray = grid_ray(query, rays, i);
-  if (!enter_grid(lane.ray, query.grid.levels[0].shift, rays.t_min[i], rays.t_max[i], lane.walk)) return false;
+  if (!enter_grid(lane.ray, query.grid.levels[0].shift, query.active, rays.t_min[i], rays.t_max[i], lane.walk)) return false;
   const std::int64_t row = query.grid.dims[0], slice = row * query.grid.dims[1];
   const std::int32_t cell[3] = {std::int32_t(hits.cell[i] % row), std::int32_t(hits.cell[i] % slice / row), std::int32_t(hits.cell[i] / slice)};
   resume_in_cell(lane.ray, Shifts(query.grid).of, cell, rays.t_min[i], lane.walk);
@@ -68,6 +64,11 @@ void trace(const VolumeQuery& query, const RayStream& rays, HitStream& hits, Tra
 
 }  // namespace
 
-const VolumeKernels volume_kernel_table = {trace<start>, trace<resume>};
+void trace_first_hits(const VolumeQuery& query, const RayStream& rays, HitStream& hits, TraceCounts& counts) {
+  trace<start>(query, rays, hits, counts);
+}
+void trace_next_hits(const VolumeQuery& query, const RayStream& rays, HitStream& hits, TraceCounts& counts) {
+  trace<resume>(query, rays, hits, counts);
+}
 
-}  // namespace isocast::inline ISO_ISA
+}  // namespace isocast
