@@ -1,10 +1,9 @@
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/data_gen/sample.h>
 #include <isocast/implicit/expression/evaluate.h>
 #include <isocast/implicit/expression/simplify.h>
 #include <isocast/implicit/expression/tape.h>
-
-#include <fmt/format.h>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_reduce.h>
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/base/text.h>
 #include <isocast/data_gen/hash.h>
@@ -5,8 +6,6 @@
 #include <isocast/data_gen/vessel.h>
 #include <isocast/implicit/expression/nearest_name.h>
 #include <isocast/implicit/expression/parse.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

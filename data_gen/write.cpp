@@ -1,10 +1,9 @@
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/base/interrupt.h>
 #include <isocast/base/output_file.h>
 #include <isocast/base/progress.h>
 #include <isocast/data_gen/write.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>

@@ -4,7 +4,6 @@
 #include <isocast/base/error.h>
 
 #include <catch2/catch.hpp>
-
 #include <string>
 
 namespace isocast::test {

@@ -14,6 +14,7 @@ struct VolumeDressing {
 };
 
 /// Surface::dress for a volume, in double precision.
-void dress_volume_hits(const VolumeDressing& dressing, const RayStream& rays, const HitStream& hits, const DressWishes& wishes, DressedHits& dressed);
+void dress_volume_hits(const VolumeDressing& dressing, const RayStream& rays, const HitStream& hits,
+                       const DressWishes& wishes, DressedHits& dressed);
 
 }  // namespace isocast

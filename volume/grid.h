@@ -6,8 +6,9 @@
 
 namespace isocast {
 
-/// One level of the min/max pyramid: blocks of 2^shift cells per axis. `ranges` holds {min, max} pairs in the volume's sample
-/// type (f16 as float), over all samples of the block's cells; NaN is left out, min > max where nothing is left.
+/// One level of the min/max pyramid: blocks of 2^shift cells per axis. `ranges` holds {min, max} pairs in the
+/// volume's sample type (f16 as float), over all samples of the block's cells; NaN is left out, min > max
+/// where nothing is left.
 struct MacroLevel {
   const void* ranges;
   std::int32_t dims[3];

@@ -1,6 +1,5 @@
 #include <isocast/volume/macrocells.h>
 #include <isocast/volume/sample.h>
-
 #include <oneapi/tbb/blocked_range2d.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -13,18 +12,23 @@ namespace {
 constexpr int kShifts[kMacroLevels] = {4, 2};  // coarse, fine; measured: docs/accuracy.md
 
 template <class A> constexpr A lowest() {
-  return std::numeric_limits<A>::has_infinity ? -std::numeric_limits<A>::infinity() : std::numeric_limits<A>::lowest();
+  return std::numeric_limits<A>::has_infinity ? -std::numeric_limits<A>::infinity()
+                                              : std::numeric_limits<A>::lowest();
 }
 template <class A> constexpr A highest() {
-  return std::numeric_limits<A>::has_infinity ? std::numeric_limits<A>::infinity() : std::numeric_limits<A>::max();
+  return std::numeric_limits<A>::has_infinity ? std::numeric_limits<A>::infinity()
+                                              : std::numeric_limits<A>::max();
 }
 
 // Ranges of one row of fine blocks: first over the rows of samples, sample by sample, then along x.
 template <class S>
-void scan_row(const Volume& volume, const MacroLevel& level, std::int64_t by, std::int64_t bz, typename SampleTraits<S>::Arithmetic* ranges) {
+void scan_row(const Volume& volume, const MacroLevel& level, std::int64_t by, std::int64_t bz,
+              typename SampleTraits<S>::Arithmetic* ranges) {
   using A = typename SampleTraits<S>::Arithmetic;
   const std::int64_t n = volume.dims[0], size = std::int64_t(1) << level.shift;
-  const auto last = [&](std::int64_t block, int axis) { return std::min((block + 1) * size, volume.dims[axis] - 1); };
+  const auto last = [&](std::int64_t block, int axis) {
+    return std::min((block + 1) * size, volume.dims[axis] - 1);
+  };
   std::vector<A> low(n, highest<A>()), high(n, lowest<A>());
   for (std::int64_t z = bz * size; z <= last(bz, 2); ++z)
     for (std::int64_t y = by * size; y <= last(by, 1); ++y) {
@@ -47,7 +51,8 @@ void scan_row(const Volume& volume, const MacroLevel& level, std::int64_t by, st
 }
 
 // A coarse block is the union of its fine blocks.
-template <class A> void gather(const MacroLevel& fine, const MacroLevel& coarse, std::int64_t by, std::int64_t bz, A* ranges) {
+template <class A>
+void gather(const MacroLevel& fine, const MacroLevel& coarse, std::int64_t by, std::int64_t bz, A* ranges) {
   const int factor = 1 << (coarse.shift - fine.shift);
   const A* from = static_cast<const A*>(fine.ranges);
   for (std::int64_t bx = 0; bx < coarse.dims[0]; ++bx) {
@@ -73,8 +78,10 @@ MacroCells::MacroCells(const Volume& volume) : type_(volume.type) {
     for (int i = kMacroLevels - 1; i >= 0; --i) {
       MacroLevel& level = levels_[i];
       level.shift = kShifts[i];
-      for (int a = 0; a < 3; ++a) level.dims[a] = static_cast<std::int32_t>((volume.dims[a] - 2) >> level.shift) + 1;
-      const std::size_t blocks = std::size_t(level.dims[0]) * std::size_t(level.dims[1]) * std::size_t(level.dims[2]);
+      for (int a = 0; a < 3; ++a)
+        level.dims[a] = static_cast<std::int32_t>((volume.dims[a] - 2) >> level.shift) + 1;
+      const std::size_t blocks =
+          std::size_t(level.dims[0]) * std::size_t(level.dims[1]) * std::size_t(level.dims[2]);
       ranges_[i].resize(2 * blocks * sizeof(A));
       A* ranges = reinterpret_cast<A*>(ranges_[i].data());
       level.ranges = ranges;

@@ -10,8 +10,8 @@
 
 namespace isocast {
 
-/// Blocks of 4^3 and 16^3 cells with the range of all samples of their cells (faces shared), in the volume's sample type (f16
-/// as float); NaN is left out. Built once, in parallel; serves every iso-value.
+/// Blocks of 4^3 and 16^3 cells with the range of all samples of their cells (faces shared), in the volume's
+/// sample type (f16 as float); NaN is left out. Built once, in parallel; serves every iso-value.
 class MacroCells {
  public:
   explicit MacroCells(const Volume& volume);
@@ -20,7 +20,8 @@ class MacroCells {
   [[nodiscard]] const MacroLevel& level(int i) const { return levels_[i]; }
   [[nodiscard]] std::size_t bytes() const;
 
-  /// The box of all coarse blocks whose range some iso-value's key parts (sample.h): outside, every cell lies on one side.
+  /// The box of all coarse blocks whose range some iso-value's key parts (sample.h): outside, every cell lies
+  /// on one side.
   [[nodiscard]] BlockBox active_box(std::span<const double> keys) const;
 
  private:

@@ -17,8 +17,9 @@ struct CellMethodChoice {
   CellMethod method;
   CellOptions options;
 };
-/// A row with its `--set` values. `iterations` given without `adaptive` asks for exactly that many steps (adaptive=0).
-/// Throws InputError as find_method and resolve_options do.
-[[nodiscard]] CellMethodChoice choose_cell_method(std::string_view name, std::map<std::string, std::string> settings);
+/// A row with its `--set` values. `iterations` given without `adaptive` asks for exactly that many steps
+/// (adaptive=0). Throws InputError as find_method and resolve_options do.
+[[nodiscard]] CellMethodChoice choose_cell_method(std::string_view name,
+                                                  std::map<std::string, std::string> settings);
 
 }  // namespace isocast

@@ -14,14 +14,39 @@ ISO_HD inline float to_float(Half h) {
   return copysign(float(magnitude) * 0x1p-24f, __builtin_bit_cast(float, sign));
 }
 
-/// How samples of type S are compared and subtracted. Arithmetic: samples as numbers. Key: a threshold k such that the corner
-/// value, sample minus iso in precision T, is negative exactly where sample < k (host side: iso_key in volume_surface.cpp).
-template <class S> struct SampleTraits { using Arithmetic = S; using Key = std::int32_t; static constexpr bool wide = false; };
-template <> struct SampleTraits<Half> { using Arithmetic = float; using Key = float; static constexpr bool wide = false; };
-template <> struct SampleTraits<float> { using Arithmetic = float; using Key = float; static constexpr bool wide = false; };
-template <> struct SampleTraits<double> { using Arithmetic = double; using Key = double; static constexpr bool wide = true; };
-template <> struct SampleTraits<std::uint32_t> { using Arithmetic = std::uint32_t; using Key = std::int64_t; static constexpr bool wide = true; };
-template <> struct SampleTraits<std::int32_t> { using Arithmetic = std::int32_t; using Key = std::int64_t; static constexpr bool wide = true; };
+/// How samples of type S are compared and subtracted. Arithmetic: samples as numbers. Key: a threshold k such
+/// that the corner value, sample minus iso in precision T, is negative exactly where sample < k (host side:
+/// iso_key in volume_surface.cpp).
+template <class S> struct SampleTraits {
+  using Arithmetic = S;
+  using Key = std::int32_t;
+  static constexpr bool wide = false;
+};
+template <> struct SampleTraits<Half> {
+  using Arithmetic = float;
+  using Key = float;
+  static constexpr bool wide = false;
+};
+template <> struct SampleTraits<float> {
+  using Arithmetic = float;
+  using Key = float;
+  static constexpr bool wide = false;
+};
+template <> struct SampleTraits<double> {
+  using Arithmetic = double;
+  using Key = double;
+  static constexpr bool wide = true;
+};
+template <> struct SampleTraits<std::uint32_t> {
+  using Arithmetic = std::uint32_t;
+  using Key = std::int64_t;
+  static constexpr bool wide = true;
+};
+template <> struct SampleTraits<std::int32_t> {
+  using Arithmetic = std::int32_t;
+  using Key = std::int64_t;
+  static constexpr bool wide = true;
+};
 
 template <class S> ISO_HD inline typename SampleTraits<S>::Arithmetic number(S s) { return s; }
 ISO_HD inline float number(Half s) { return to_float(s); }

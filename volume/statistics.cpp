@@ -2,7 +2,6 @@
 #include <isocast/base/progress.h>
 #include <isocast/volume/sample.h>
 #include <isocast/volume/statistics.h>
-
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -33,8 +32,7 @@ struct StoredRange {
   std::int64_t nan_count = 0, infinite_count = 0;
 };
 
-template <class S>
-StoredRange range_of(const Volume& volume, Progress& progress) {
+template <class S> StoredRange range_of(const Volume& volume, Progress& progress) {
   using A = typename SampleTraits<S>::Arithmetic;
   oneapi::tbb::enumerable_thread_specific<StoredRange> partial;
   for_each_slab<S>(volume, progress, [&](const S* samples, std::int64_t count) {

@@ -20,23 +20,27 @@ bool start(const VolumeQuery& query, const RayStream& rays, const HitStream& hit
   lane.ray = grid_ray(query, rays, i);
   lane.carried = rays.start_object[i] == query.object;
   lane.sides = rays.start_sides[i];
-  return enter_grid(lane.ray, query.grid.levels[0].shift, query.active, rays.t_min[i], min(hits.t[i], rays.t_max[i]), lane.walk);
+  return enter_grid(lane.ray, query.grid.levels[0].shift, query.active, rays.t_min[i],
+                    min(hits.t[i], rays.t_max[i]), lane.walk);
 }
 
 // A ray behind its hit, which is cleared.
 bool resume(const VolumeQuery& query, const RayStream& rays, HitStream& hits, int i, Lane& lane) {
   if (hits.object[i] != query.object || !(hits.t[i] < __builtin_inf())) return false;
+  hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = __builtin_inf();
   lane.ray = grid_ray(query, rays, i);
-  if (!enter_grid(lane.ray, query.grid.levels[0].shift, query.active, rays.t_min[i], rays.t_max[i], lane.walk)) return false;
-  const std::int64_t row = query.grid.dims[0], slice = row * query.grid.dims[1];
-  const std::int32_t cell[3] = {std::int32_t(hits.cell[i] % row), std::int32_t(hits.cell[i] % slice / row), std::int32_t(hits.cell[i] / slice)};
-  resume_in_cell(lane.ray, Shifts(query.grid).of, cell, rays.t_min[i], lane.walk);
   lane.carried = true;
   lane.sides = sides_behind(hits, i);
   lane.begin = hits.s[i];
   lane.begin_of_iso = hits.s_hi[i];
   lane.iso_of_hit = hits.iso[i];
-  hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = __builtin_inf();
+  if (!enter_grid(lane.ray, query.grid.levels[0].shift, query.active, rays.t_min[i], rays.t_max[i],
+                  lane.walk))
+    return false;
+  const std::int64_t row = query.grid.dims[0], slice = row * query.grid.dims[1], index = hits.cell[i];
+  const std::int32_t cell[3] = {std::int32_t(index % row), std::int32_t(index % slice / row),
+                                std::int32_t(index / slice)};
+  resume_in_cell(lane.ray, Shifts(query.grid).of, cell, rays.t_min[i], lane.walk);
   return true;
 }
 

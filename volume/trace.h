@@ -6,16 +6,18 @@
 
 namespace isocast::inline ISO_ISA {
 
-inline void solve_packet(const VolumeQuery& query, const CellPacket<float>& packet, RootPacket<float>& roots) {
+inline void solve_packet(const VolumeQuery& query, const CellPacket<float>& packet,
+                         RootPacket<float>& roots) {
   query.cells->solve_float[int(query.method)](query.options, &packet, &roots, 1);
 }
-inline void solve_packet(const VolumeQuery& query, const CellPacket<double>& packet, RootPacket<double>& roots) {
+inline void solve_packet(const VolumeQuery& query, const CellPacket<double>& packet,
+                         RootPacket<double>& roots) {
   query.cells->solve_double[int(query.method)](query.options, &packet, &roots, 1);
 }
 
-/// What a lane carries from cell to cell. Only in its first cell may the signs at the start be known (bits of `sides`, f is
-/// then not evaluated there): where the ray starts on this very surface, or goes on behind a hit. There roots are sought
-/// behind `begin`, and behind `begin_of_iso` for the iso-value that was hit.
+/// What a lane carries from cell to cell. Only in its first cell may the signs at the start be known (bits of
+/// `sides`, f is then not evaluated there): where the ray starts on this very surface, or goes on behind a
+/// hit. There roots are sought behind `begin`, and behind `begin_of_iso` for the iso-value that was hit.
 struct Lane {
   GridRay ray;
   GridWalk walk;
@@ -31,9 +33,11 @@ struct Lane {
   }
 };
 
-/// Corners minus iso, chord and starting point of one lane's cell for one iso-value; false when a corner is not finite.
+/// Corners minus iso, chord and starting point of one lane's cell for one iso-value; false when a corner is
+/// not finite.
 template <class T, class S>
-inline bool fetch_cell(const TypedGrid<S>& grid, const Lane& lane, double iso, int iso_index, CellPacket<T>& packet, int l) {
+inline bool fetch_cell(const TypedGrid<S>& grid, const Lane& lane, double iso, int iso_index,
+                       CellPacket<T>& packet, int l) {
   S raw[8];
   grid.load_corners(lane.walk.cell(), raw);
   T finite = 0;
@@ -62,15 +66,18 @@ template <class T> inline T value_at_entry(const CellPacket<T>& packet, int l) {
   return trilinear<T>(f, Vec3<T>{packet.entry[0][l], packet.entry[1][l], packet.entry[2][l]});
 }
 
-/// Sides of all iso-values in front of the hit of iso `hit_iso`; `behind`: f is negative behind it, `touched`: so it is in front.
+/// Sides of all iso-values in front of the hit of iso `hit_iso`; `behind`: f is negative behind it,
+/// `touched`: so it is in front.
 template <class T, class S>
-inline std::uint32_t sides_in_front(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane& lane, int hit_iso, bool behind, bool touched) {
+inline std::uint32_t sides_in_front(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane& lane,
+                                    int hit_iso, bool behind, bool touched) {
   std::uint32_t sides = std::uint32_t(behind == touched) << hit_iso;
   CellPacket<T> cell;
   for (int i = 0; i < query.iso_count; ++i) {
     if (i == hit_iso) continue;
     if (lane.carried) sides |= lane.sides & 1u << i;
-    else if (fetch_cell(grid, lane, query.iso[i], i, cell, 0)) sides |= std::uint32_t(negative(value_at_entry(cell, 0))) << i;
+    else if (fetch_cell(grid, lane, query.iso[i], i, cell, 0))
+      sides |= std::uint32_t(negative(value_at_entry(cell, 0))) << i;
   }
   return sides;
 }
@@ -82,8 +89,9 @@ template <class T> struct Nearest {
   std::uint32_t hit = 0, undecided = 0, behind = 0;
 };
 template <class T, class S>
-inline Nearest<T> solve_cells(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane* lanes, std::uint32_t alive,
-                                     std::uint32_t* cost, CellPacket<T>& packet, RootPacket<T>& roots, TraceCounts& counts) {
+inline Nearest<T> solve_cells(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane* lanes,
+                              std::uint32_t alive, std::uint32_t* cost, CellPacket<T>& packet,
+                              RootPacket<T>& roots, TraceCounts& counts) {
   Nearest<T> nearest;
   for (int i = 0; i < query.iso_count; ++i) {
     packet.active = 0;
@@ -100,7 +108,8 @@ inline Nearest<T> solve_cells(const VolumeQuery& query, const TypedGrid<S>& grid
     // exactly zero at the very start of a ray is a hit there; the side behind is the positive one
     for (std::uint32_t rest = packet.active; rest; rest &= rest - 1) {
       const int l = __builtin_ctz(rest);
-      if (lanes[l].walk.axis_in != GridWalk::kStart || lanes[l].carried || value_at_entry(packet, l) != T(0)) continue;
+      if (lanes[l].walk.axis_in != GridWalk::kStart || lanes[l].carried || value_at_entry(packet, l) != T(0))
+        continue;
       roots.s[l] = roots.s_lo[l] = roots.s_hi[l] = T(0);
       roots.hit |= 1u << l;
       roots.undecided |= 1u << l;
@@ -124,8 +133,8 @@ inline Nearest<T> solve_cells(const VolumeQuery& query, const TypedGrid<S>& grid
 
 /// Writes the root of lane l into the hit of slot i, unless it lies behind the ray's end or a nearer hit.
 template <class T, class S>
-inline void record_hit(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane& lane, const Nearest<T>& nearest, int l,
-                       const RayStream& rays, HitStream& hits, int i) {
+inline void record_hit(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane& lane,
+                       const Nearest<T>& nearest, int l, const RayStream& rays, HitStream& hits, int i) {
   const double t_in = lane.walk.t_in, span = lane.walk.t_out() - t_in, t = t_in + double(nearest.s[l]) * span;
   if (!(t <= rays.t_max[i] && t < hits.t[i])) return;
   const bool undecided = nearest.undecided >> l & 1, behind = nearest.behind >> l & 1;
@@ -144,8 +153,9 @@ inline void record_hit(const VolumeQuery& query, const TypedGrid<S>& grid, const
 
 /// Traces the lanes of `alive` to their first root, or the end; `slot` is lane 0's place in the streams.
 template <class T, class S>
-inline void trace_packet(const VolumeQuery& query, const TypedGrid<S>& grid, const Shifts& shifts, Lane* lanes, std::uint32_t alive,
-                                const RayStream& rays, HitStream& hits, int slot, TraceCounts& counts) {
+inline void trace_packet(const VolumeQuery& query, const TypedGrid<S>& grid, const Shifts& shifts,
+                         Lane* lanes, std::uint32_t alive, const RayStream& rays, HitStream& hits, int slot,
+                         TraceCounts& counts) {
   alignas(64) CellPacket<T> packet = {};
   alignas(64) RootPacket<T> roots = {};
   std::uint32_t cost[kPacketSize] = {};
@@ -165,17 +175,14 @@ inline void trace_packet(const VolumeQuery& query, const TypedGrid<S>& grid, con
     if (!alive) break;
     const Nearest<T> nearest = solve_cells(query, grid, lanes, alive, cost, packet, roots, counts);
 
-    for (std::uint32_t rest = alive; rest; rest &= rest - 1) {
-      const int l = __builtin_ctz(rest), i = slot + l;
-      const std::uint32_t bit = 1u << l;
-      Lane& lane = lanes[l];
-      if (nearest.hit & bit) {
-        alive &= ~bit;
-        record_hit(query, grid, lane, nearest, l, rays, hits, i);
-      }
+    for (std::uint32_t rest = nearest.hit; rest; rest &= rest - 1) {
+      const int l = __builtin_ctz(rest);
+      record_hit(query, grid, lanes[l], nearest, l, rays, hits, slot + l);
     }
+    alive &= ~nearest.hit;
   }
-  for (std::uint32_t rest = all; rest; rest &= rest - 1) hits.cost[slot + __builtin_ctz(rest)] += cost[__builtin_ctz(rest)];
+  for (std::uint32_t rest = all; rest; rest &= rest - 1)
+    hits.cost[slot + __builtin_ctz(rest)] += cost[__builtin_ctz(rest)];
 }
 
 }  // namespace isocast::inline ISO_ISA

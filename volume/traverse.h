@@ -1,4 +1,5 @@
-// The walk of one ray through a grid: blocks, smaller blocks, cells. Grid space: samples at the integers. Double precision.
+// The walk of one ray through a grid: blocks, smaller blocks, cells. Grid space: samples at the integers.
+// Double precision.
 #pragma once
 
 #include <isocast/math/real.h>
@@ -6,9 +7,9 @@
 
 namespace isocast::inline ISO_ISA {
 
-/// o + t d in grid space, and the grid's last sample per axis. The plane x_a = k is met at plane_t(a, k): one expression
-/// everywhere, so that a cell's exit and the next cell's entry have the same bits, whoever computes them. An axis with step 0
-/// is parallel: its planes are never met.
+/// o + t d in grid space, and the grid's last sample per axis. The plane x_a = k is met at plane_t(a, k): one
+/// expression everywhere, so that a cell's exit and the next cell's entry have the same bits, whoever
+/// computes them. An axis with step 0 is parallel: its planes are never met.
 struct GridRay {
   double o[3], d[3], inverse[3], last[3];
   std::int32_t step[3];
@@ -17,7 +18,8 @@ struct GridRay {
 };
 
 /// A direction component whose reciprocal is not finite counts as parallel.
-ISO_HD inline GridRay make_grid_ray(const double (&o)[3], const double (&d)[3], const std::int32_t (&samples)[3]) {
+ISO_HD inline GridRay make_grid_ray(const double (&o)[3], const double (&d)[3],
+                                    const std::int32_t (&samples)[3]) {
   GridRay ray;
   for (int a = 0; a < 3; ++a) {
     ray.o[a] = o[a];
@@ -36,9 +38,9 @@ inline constexpr int kCells = kMacroLevels;
 
 /// Where the ray is on one level.
 ///
-/// at      block (or cell) per axis; `end` is the first number outside the parent block, in the ray's direction
-/// plane   the plane through which it leaves, per axis, met at t_next (+inf on parallel axes)
-/// size    edge of a block in cells, a power of two, and its inverse
+/// at      block (or cell) per axis; `end` is the first number outside the parent block, in the ray's
+/// direction plane   the plane through which it leaves, per axis, met at t_next (+inf on parallel axes) size
+/// edge of a block in cells, a power of two, and its inverse
 struct LevelWalk {
   std::int32_t at[3], end[3];
   double plane[3], t_next[3], size, per_size;
@@ -50,9 +52,9 @@ struct LevelWalk {
   }
 };
 
-/// The state of a walk. Crossings of planes are ordered by (t, axis) and taken one at a time in this order on every level; the
-/// planes of a level are some of those of the next. So the cells that are visited, and their crossings, do not depend on the
-/// blocks that were leapt over.
+/// The state of a walk. Crossings of planes are ordered by (t, axis) and taken one at a time in this order on
+/// every level; the planes of a level are some of those of the next. So the cells that are visited, and their
+/// crossings, do not depend on the blocks that were leapt over.
 ///
 /// t_in, axis_in  the last crossing; axis_in is kStart where the ray starts inside the grid
 /// t_end          end of the ray or of the grid
@@ -79,18 +81,21 @@ ISO_HD inline void set_size(LevelWalk& level, std::int32_t shift) {
 }
 
 /// Puts the walk into block b of a level along axis a, whose parent spans blocks lo...hi.
-ISO_HD inline void set_block(const GridRay& ray, LevelWalk& level, int a, std::int32_t b, std::int32_t lo, std::int32_t hi) {
+ISO_HD inline void set_block(const GridRay& ray, LevelWalk& level, int a, std::int32_t b, std::int32_t lo,
+                             std::int32_t hi) {
   level.at[a] = b;
   level.end[a] = ray.step[a] < 0 ? lo - 1 : hi + 1;
   level.plane[a] = min(double(b + (ray.step[a] > 0)) * level.size, ray.last[a]);
   level.t_next[a] = ray.step[a] ? ray.plane_t(a, level.plane[a]) : __builtin_inf();
 }
 
-/// The same for the block after all crossings up to (t_in, axis_in): searched from the rounded position, which is off by one
-/// at most unless the ray comes from very far.
-ISO_HD inline void find_block(const GridRay& ray, const GridWalk& walk, LevelWalk& level, int a, std::int32_t lo, std::int32_t hi) {
+/// The same for the block after all crossings up to (t_in, axis_in): searched from the rounded position,
+/// which is off by one at most unless the ray comes from very far.
+ISO_HD inline void find_block(const GridRay& ray, const GridWalk& walk, LevelWalk& level, int a,
+                              std::int32_t lo, std::int32_t hi) {
   const double position = (ray.o[a] + (ray.step[a] ? walk.t_in * ray.d[a] : 0.0)) * level.per_size;
-  const std::int32_t guess = position > double(lo) ? (position < double(hi) ? std::int32_t(position) : hi) : lo;
+  const std::int32_t guess =
+      position > double(lo) ? (position < double(hi) ? std::int32_t(position) : hi) : lo;
   set_block(ray, level, a, guess, lo, hi);
   if (ray.step[a] == 0) {
     // parallel for all that doubles can tell, but below the plane it starts on
@@ -98,16 +103,21 @@ ISO_HD inline void find_block(const GridRay& ray, const GridWalk& walk, LevelWal
     return;
   }
   // forwards over planes that are crossed already, back over such that are not
-  const std::int32_t ahead = ray.step[a] > 0 ? hi : lo, behind = ray.step[a] > 0 ? lo : hi, near = ray.step[a] < 0;
-  while (level.at[a] != ahead && crossed(level.t_next[a], a, walk.t_in, walk.axis_in)) set_block(ray, level, a, level.at[a] + ray.step[a], lo, hi);
+  const std::int32_t ahead = ray.step[a] > 0 ? hi : lo, behind = ray.step[a] > 0 ? lo : hi,
+                     near = ray.step[a] < 0;
+  while (level.at[a] != ahead && crossed(level.t_next[a], a, walk.t_in, walk.axis_in))
+    set_block(ray, level, a, level.at[a] + ray.step[a], lo, hi);
   while (level.at[a] != behind &&
-         !crossed(ray.plane_t(a, min(double(level.at[a] + near) * level.size, ray.last[a])), a, walk.t_in, walk.axis_in))
+         !crossed(ray.plane_t(a, min(double(level.at[a] + near) * level.size, ray.last[a])), a, walk.t_in,
+                  walk.axis_in))
     set_block(ray, level, a, level.at[a] - ray.step[a], lo, hi);
 }
 
-/// Enters a box of the grid on the coarsest level, whose blocks have 2^shift cells: between the lower planes of its first
-/// blocks and the upper planes of its last ones. False when [t_min, t_max] of the ray misses it, or anything is NaN.
-ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, const BlockBox& box, double t_min, double t_max, GridWalk& walk) {
+/// Enters a box of the grid on the coarsest level, whose blocks have 2^shift cells: between the lower planes
+/// of its first blocks and the upper planes of its last ones. False when [t_min, t_max] of the ray misses it,
+/// or anything is NaN.
+ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, const BlockBox& box, double t_min,
+                              double t_max, GridWalk& walk) {
   walk.t_in = t_min;
   walk.t_end = min(t_max, __DBL_MAX__);  // planes that are never met, at +inf, lie behind the end
   walk.axis_in = GridWalk::kStart;
@@ -116,12 +126,14 @@ ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, const Bloc
   LevelWalk& level = walk.level[0];
   set_size(level, shift);
   for (int a = 0; a < 3; ++a) {
-    const double low = double(box.lo[a]) * level.size, high = min(double(box.hi[a] + 1) * level.size, ray.last[a]);
+    const double low = double(box.lo[a]) * level.size,
+                 high = min(double(box.hi[a] + 1) * level.size, ray.last[a]);
     if (ray.step[a] == 0) {
       if (!(ray.o[a] >= low && ray.o[a] <= high && ray.d[a] == ray.d[a])) return false;
       continue;
     }
-    const double near = ray.plane_t(a, ray.step[a] > 0 ? low : high), far = ray.plane_t(a, ray.step[a] > 0 ? high : low);
+    const double near = ray.plane_t(a, ray.step[a] > 0 ? low : high),
+                 far = ray.plane_t(a, ray.step[a] > 0 ? high : low);
     if (walk.axis_in == GridWalk::kStart ? near > walk.t_in : near >= walk.t_in) {
       walk.t_in = near;
       walk.axis_in = a;
@@ -133,14 +145,16 @@ ISO_HD inline bool enter_grid(const GridRay& ray, std::int32_t shift, const Bloc
   return true;
 }
 
-/// Goes one level down, into the part of the current block where the ray is. Blocks of 2^shift cells become 2^finer.
+/// Goes one level down, into the part of the current block where the ray is. Blocks of 2^shift cells become
+/// 2^finer.
 ISO_HD inline void descend(const GridRay& ray, std::int32_t shift, std::int32_t finer, GridWalk& walk) {
   const LevelWalk& from = walk.level[walk.depth];
   LevelWalk& to = walk.level[++walk.depth];
   const std::int32_t size = 1 << (shift - finer);
   if (walk.finest >= walk.depth) {  // come from the neighbouring block: only the border has moved
     const int a = walk.axis_in;
-    const std::int32_t beyond = ((std::int32_t(ray.last[a]) - 1) >> finer) + 1, end = to.end[a] + ray.step[a] * size;
+    const std::int32_t beyond = ((std::int32_t(ray.last[a]) - 1) >> finer) + 1,
+                       end = to.end[a] + ray.step[a] * size;
     to.end[a] = end < beyond ? end : beyond;
     return;
   }
@@ -149,7 +163,8 @@ ISO_HD inline void descend(const GridRay& ray, std::int32_t shift, std::int32_t 
   for (int a = 0; a < 3; ++a) {
     const std::int32_t lo = from.at[a] * size, last = (std::int32_t(ray.last[a]) - 1) >> finer;
     const std::int32_t hi = lo + size - 1 < last ? lo + size - 1 : last;
-    if (a == walk.axis_in) set_block(ray, to, a, ray.step[a] > 0 ? lo : hi, lo, hi);  // entered through this face
+    if (a == walk.axis_in)
+      set_block(ray, to, a, ray.step[a] > 0 ? lo : hi, lo, hi);  // entered through this face
     else find_block(ray, walk, to, a, lo, hi);
   }
 }
@@ -162,9 +177,10 @@ ISO_HD inline bool cross(const GridRay& ray, LevelWalk& level, int a) {
   return level.at[a] != level.end[a];
 }
 
-/// Takes crossings on the current level until test(at) holds (true), or the parent is left or the ray ends (false). `tested`:
-/// the current block is done with and crossed first.
-template <class Test> ISO_HD inline bool walk_level(const GridRay& ray, GridWalk& walk, bool tested, Test test) {
+/// Takes crossings on the current level until test(at) holds (true), or the parent is left or the ray ends
+/// (false). `tested`: the current block is done with and crossed first.
+template <class Test>
+ISO_HD inline bool walk_level(const GridRay& ray, GridWalk& walk, bool tested, Test test) {
   LevelWalk& level = walk.level[walk.depth];
   bool found = !tested && test(level.at);
   bool inside = true;
@@ -188,8 +204,8 @@ template <class Test> ISO_HD inline bool walk_level(const GridRay& ray, GridWalk
   return found;
 }
 
-/// After walk_level has left the current level: takes the same crossing on the coarser levels, to the first whose block it
-/// does not leave. False at the end of the ray or of the grid.
+/// After walk_level has left the current level: takes the same crossing on the coarser levels, to the first
+/// whose block it does not leave. False at the end of the ray or of the grid.
 ISO_HD inline bool ascend(const GridRay& ray, GridWalk& walk) {
   if (!(walk.t_in <= walk.t_end)) return false;
   while (walk.depth > 0)
@@ -197,9 +213,10 @@ ISO_HD inline bool ascend(const GridRay& ray, GridWalk& walk) {
   return false;
 }
 
-/// The state inside a given cell that the ray is known to cross: what the walk from the start would have made of it.
-ISO_HD inline void resume_in_cell(const GridRay& ray, const std::int32_t (&shifts)[kWalkLevels], const std::int32_t (&cell)[3],
-                                  double t_min, GridWalk& walk) {
+/// The state inside a given cell that the ray is known to cross: what the walk from the start would have made
+/// of it.
+ISO_HD inline void resume_in_cell(const GridRay& ray, const std::int32_t (&shifts)[kWalkLevels],
+                                  const std::int32_t (&cell)[3], double t_min, GridWalk& walk) {
   walk.t_in = t_min;
   walk.axis_in = GridWalk::kStart;
   walk.depth = walk.finest = kCells;
@@ -208,7 +225,8 @@ ISO_HD inline void resume_in_cell(const GridRay& ray, const std::int32_t (&shift
     for (int l = 0; l < kWalkLevels; ++l) {
       LevelWalk& level = walk.level[l];
       set_size(level, shifts[l]);
-      const std::int32_t last = (std::int32_t(ray.last[a]) - 1) >> shifts[l], up = l > 0 ? shifts[l - 1] - shifts[l] : 0;
+      const std::int32_t last = (std::int32_t(ray.last[a]) - 1) >> shifts[l],
+                         up = l > 0 ? shifts[l - 1] - shifts[l] : 0;
       const std::int32_t b = cell[a] >> shifts[l], lo = l > 0 ? b >> up << up : 0, full = lo + (1 << up) - 1;
       set_block(ray, level, a, b, lo, l > 0 && full < last ? full : last);
     }
@@ -221,10 +239,12 @@ ISO_HD inline void resume_in_cell(const GridRay& ray, const std::int32_t (&shift
   }
 }
 
-/// The ray's point at t in the current cell's own coordinates, in [0,1]; on the face of `axis` (crossed at this t, entry or
-/// exit) the coordinate is exactly 0 or 1. Both cells of a face give the same bits for the other two.
+/// The ray's point at t in the current cell's own coordinates, in [0,1]; on the face of `axis` (crossed at
+/// this t, entry or exit) the coordinate is exactly 0 or 1. Both cells of a face give the same bits for the
+/// other two.
 template <ScalarReal T>
-ISO_HD inline void point_in_cell(const GridRay& ray, const GridWalk& walk, double t, int axis, bool exit, T (&p)[3]) {
+ISO_HD inline void point_in_cell(const GridRay& ray, const GridWalk& walk, double t, int axis, bool exit,
+                                 T (&p)[3]) {
   for (int a = 0; a < 3; ++a) p[a] = T(clamp01((ray.o[a] - double(walk.cell()[a])) + t * ray.d[a]));
   if (axis < 3) p[axis] = T((ray.step[axis] > 0) == exit ? 1 : 0);
 }

@@ -12,9 +12,10 @@
 
 namespace isocast {
 
-/// dims[0] varies fastest: sample (i, j, k) is element i + dims[0] * (j + dims[1] * k), in native byte order. Grid space has
-/// samples at the integers; world_from_grid maps it to the world (spacing, origin and axes in one, possibly left-handed).
-/// Users see values v = slope * stored + intercept. `storage` keeps the samples alive (a mapping or a buffer).
+/// dims[0] varies fastest: sample (i, j, k) is element i + dims[0] * (j + dims[1] * k), in native byte order.
+/// Grid space has samples at the integers; world_from_grid maps it to the world (spacing, origin and axes in
+/// one, possibly left-handed). Users see values v = slope * stored + intercept. `storage` keeps the samples
+/// alive (a mapping or a buffer).
 struct Volume {
   SampleType type = SampleType::u8;
   std::array<std::int64_t, 3> dims = {0, 0, 0};
@@ -22,8 +23,8 @@ struct Volume {
   std::shared_ptr<const void> storage;
   Transform world_from_grid;
   double slope = 1, intercept = 0;
-  std::string format;    // "raw", "nrrd", "nifti", "vti"
-  bool mapped = false;   // the samples are pages of the file, not a copy
+  std::string format;   // "raw", "nrrd", "nifti", "vti"
+  bool mapped = false;  // the samples are pages of the file, not a copy
 
   [[nodiscard]] std::int64_t count() const { return dims[0] * dims[1] * dims[2]; }
   [[nodiscard]] std::int64_t bytes() const { return count() * static_cast<std::int64_t>(size_of(type)); }

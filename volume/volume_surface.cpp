@@ -1,8 +1,7 @@
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/volume/dress.h>
 #include <isocast/volume/volume_surface.h>
-
-#include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
@@ -13,8 +12,9 @@ namespace {
 const Volume& checked(const Volume& volume) {
   for (const std::int64_t n : volume.dims)
     if (n < 2 || n > kMaxDim)
-      throw InputError(fmt::format("a volume of {} x {} x {} samples cannot be rendered: 2 to {} per axis are needed",
-                                   volume.dims[0], volume.dims[1], volume.dims[2], kMaxDim));
+      throw InputError(
+          fmt::format("a volume of {} x {} x {} samples cannot be rendered: 2 to {} per axis are needed",
+                      volume.dims[0], volume.dims[1], volume.dims[2], kMaxDim));
   return volume;
 }
 
@@ -28,13 +28,16 @@ double iso_key(SampleType type, double iso, bool double_precision) {
     const float nearest = static_cast<float>(value);
     return nearest < value ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
   }
-  constexpr double kBeyond = 0x1p33;  // outside every integer type, inside the keys' for the narrow ones after the clamp
+  constexpr double kBeyond =
+      0x1p33;  // outside every integer type, inside the keys' for the narrow ones after the clamp
   const double limit = wide ? kBeyond : 0x1p20;
   return std::min(std::max(std::ceil(value), -limit), limit);
 }
 
 VolumeSurface::VolumeSurface(std::shared_ptr<const Volume> volume, const VolumeSurfaceOptions& options)
-    : volume_(std::move(volume)), macrocells_(checked(*volume_)), grid_from_world_(volume_->world_from_grid.inverse()) {
+    : volume_(std::move(volume)),
+      macrocells_(checked(*volume_)),
+      grid_from_world_(volume_->world_from_grid.inverse()) {
   GridView& grid = query_.grid;
   grid.samples = volume_->samples;
   grid.type = volume_->type;
@@ -42,7 +45,8 @@ VolumeSurface::VolumeSurface(std::shared_ptr<const Volume> volume, const VolumeS
   for (int i = 0; i < kMacroLevels; ++i) grid.levels[i] = macrocells_.level(i);
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 4; ++c) query_.grid_from_world[r][c] = grid_from_world_.m[r][c];
-  bounds_ = world_box({0, 0, 0}, {double(grid.dims[0] - 1), double(grid.dims[1] - 1), double(grid.dims[2] - 1)});
+  bounds_ =
+      world_box({0, 0, 0}, {double(grid.dims[0] - 1), double(grid.dims[1] - 1), double(grid.dims[2] - 1)});
   set_options(options);
 }
 
@@ -52,14 +56,18 @@ Box VolumeSurface::world_box(const Double3& lo, const Double3& hi) const {
   return box;
 }
 
-bool VolumeSurface::narrow(const TileFrustum& tile) const { return !active_bounds_.empty() && tile.may_meet(active_bounds_); }
+bool VolumeSurface::narrow(const TileFrustum& tile) const {
+  return !active_bounds_.empty() && tile.may_meet(active_bounds_);
+}
 
 void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
   if (options.iso.empty() || options.iso.size() > kMaxIsos)
-    throw InputError(fmt::format("{} iso-values were given; 1 to {} are possible for a volume", options.iso.size(), kMaxIsos));
+    throw InputError(fmt::format("{} iso-values were given; 1 to {} are possible for a volume",
+                                 options.iso.size(), kMaxIsos));
   query_.iso_count = static_cast<std::int32_t>(options.iso.size());
   for (int i = 0; i < query_.iso_count; ++i) {
-    const double value = options.iso[static_cast<std::size_t>(i)], stored = (value - volume_->intercept) / volume_->slope;
+    const double value = options.iso[static_cast<std::size_t>(i)],
+                 stored = (value - volume_->intercept) / volume_->slope;
     if (!std::isfinite(stored)) throw InputError(fmt::format("iso-value {} is no finite number", value));
     query_.iso[i] = stored;
     query_.key[i] = iso_key(volume_->type, stored, options.double_precision);
@@ -68,7 +76,8 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
   active_bounds_ = Box();
   if (const BlockBox& b = query_.active; b.lo[0] <= b.hi[0]) {
     const double size = 1 << query_.grid.levels[0].shift;
-    active_bounds_ = world_box({b.lo[0] * size, b.lo[1] * size, b.lo[2] * size}, {(b.hi[0] + 1) * size, (b.hi[1] + 1) * size, (b.hi[2] + 1) * size});
+    active_bounds_ = world_box({b.lo[0] * size, b.lo[1] * size, b.lo[2] * size},
+                               {(b.hi[0] + 1) * size, (b.hi[1] + 1) * size, (b.hi[2] + 1) * size});
   }
   query_.method = options.method.method;
   query_.options = options.method.options;
@@ -89,7 +98,8 @@ void VolumeSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts
   trace_next_hits(query_, rays, hits, counts);
 }
 
-void VolumeSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes, DressedHits& dressed) const {
+void VolumeSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
+                          DressedHits& dressed) const {
   const DefaultFloatEnvironment environment;
   dress_volume_hits({*volume_, grid_from_world_, query_.object, normals_}, rays, hits, wishes, dressed);
 }

@@ -3,9 +3,9 @@
 
 #include <isocast/isa/cpu.h>
 #include <isocast/ray/surface.h>
-#include <isocast/volume/query.h>
 #include <isocast/volume/macrocells.h>
 #include <isocast/volume/methods.h>
+#include <isocast/volume/query.h>
 #include <isocast/volume/volume.h>
 
 #include <memory>
@@ -28,7 +28,8 @@ struct VolumeSurfaceOptions {
   std::uint16_t object = 0;
 };
 
-/// Holds the samples and their macrocells; other options need one look at the coarsest macrocells and rebuild nothing.
+/// Holds the samples and their macrocells; other options need one look at the coarsest macrocells and rebuild
+/// nothing.
 class VolumeSurface final : public Surface {
  public:
   /// Throws InputError when the volume has fewer than two samples along an axis, or options cannot be used.
@@ -43,7 +44,8 @@ class VolumeSurface final : public Surface {
   [[nodiscard]] bool narrow(const TileFrustum& tile) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
-  void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes, DressedHits& dressed) const override;
+  void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
+             DressedHits& dressed) const override;
 
  private:
   [[nodiscard]] Box world_box(const Double3& lo, const Double3& hi) const;
@@ -56,8 +58,8 @@ class VolumeSurface final : public Surface {
   NormalKind normals_;
 };
 
-/// The threshold of an iso-value in stored units: a sample s lies below it (s < key) exactly where the corner value that
-/// precision `T` computes, s minus iso, is negative (volume/sample.h).
+/// The threshold of an iso-value in stored units: a sample s lies below it (s < key) exactly where the corner
+/// value that precision `T` computes, s minus iso, is negative (volume/sample.h).
 [[nodiscard]] double iso_key(SampleType type, double iso, bool double_precision);
 
 }  // namespace isocast

@@ -1,8 +1,7 @@
+#include <fmt/format.h>
 #include <isocast/apps/bench/cell_families.h>
 #include <isocast/apps/bench/random.h>
 #include <isocast/base/error.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>

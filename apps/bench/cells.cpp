@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <isocast/apps/bench/cell_families.h>
 #include <isocast/apps/bench/cells.h>
 #include <isocast/apps/bench/judge.h>
@@ -5,8 +6,6 @@
 #include <isocast/apps/bench/timing.h>
 #include <isocast/base/progress.h>
 #include <isocast/volume/methods.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>

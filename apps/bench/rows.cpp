@@ -1,15 +1,14 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
 #include <isocast/apps/bench/rows.h>
 #include <isocast/base/error.h>
 #include <isocast/base/output_file.h>
-
-#include <fmt/chrono.h>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <system_error>
 #include <thread>
 

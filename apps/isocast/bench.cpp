@@ -1,11 +1,10 @@
 // isocast bench: error against run time, written as tables.
+#include <fmt/format.h>
 #include <isocast/apps/bench/cells.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/base/error.h>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include <memory>
 #include <string>
 

@@ -1,16 +1,15 @@
 // isocast info: what a volume file holds, as a table or as JSON.
+#include <fmt/format.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/apps/isocast/volume_options.h>
 #include <isocast/volume/io/read_volume.h>
 #include <isocast/volume/statistics.h>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 namespace isocast::verbs {

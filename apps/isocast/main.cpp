@@ -1,22 +1,33 @@
 // isocast: parses the command line, runs one verb, turns failures into one sentence and an exit code.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/base/error.h>
 #include <isocast/base/interrupt.h>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 namespace {
 
-// A formula may begin with '-': a word like -x^2+y^2 is no option. A leading blank hides it from the option parser and
-// means nothing to the formula parser.
+// A formula may begin with '-': a word like -x^2+y^2 is no option. A leading blank hides it from the option
+// parser and means nothing to the formula parser.
 std::string protect_formula(const std::string& word) {
   const bool option = word.size() < 2 || word[0] != '-' || word[1] == '-' || word == "-o" || word == "-h";
   return option ? word : " " + word;
+}
+
+// Throws unless the first word is a verb or an option.
+void check_verb(const CLI::App& app, const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(verb->get_name());
+  if (!words.empty() && !words[0].starts_with('-') && std::ranges::find(names, words[0]) == names.end())
+    throw isocast::InputError(
+        fmt::format("'{}' is no verb; expected one of {}", words[0], fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -36,13 +47,15 @@ int main(int argc, char** argv) try {
   isocast::verbs::add_bench(app);
 
   std::vector<std::string> words(argv + 1, argv + argc);
+  check_verb(app, words);
   for (std::string& word : words) word = protect_formula(word);
   std::vector<std::string> reversed(words.rbegin(), words.rend());
   try {
     app.parse(reversed);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    fmt::print(stderr, "isocast: {}\nRun 'isocast --help' or 'isocast VERB --help' for the options.\n", error.what());
+    fmt::print(stderr, "isocast: {}\nRun 'isocast --help' or 'isocast VERB --help' for the options.\n",
+               error.what());
     return 2;
   }
   return 0;

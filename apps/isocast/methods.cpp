@@ -1,30 +1,35 @@
 // isocast methods: every method, what it applies to and proves, its options and defaults.
+#include <fmt/format.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/volume/methods.h>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <memory>
+#include <nlohmann/json.hpp>
 
 namespace isocast::verbs {
 namespace {
 
 nlohmann::ordered_json to_json(const Method& method) {
-  nlohmann::ordered_json json = {{"name", method.name}, {"applies_to", method.applies_to}, {"proves", method.proves},
-                                 {"arithmetic", method.arithmetic}, {"precisions", method.precisions}};
+  nlohmann::ordered_json json = {{"name", method.name},
+                                 {"applies_to", method.applies_to},
+                                 {"proves", method.proves},
+                                 {"arithmetic", method.arithmetic},
+                                 {"precisions", method.precisions}};
   json["options"] = nlohmann::ordered_json::array();
   for (const MethodOption& option : method.options)
-    json["options"].push_back({{"name", option.name}, {"default", option.default_value}, {"range", {option.lo, option.hi}},
-                               {"unit", option.unit}, {"meaning", option.meaning}});
+    json["options"].push_back({{"name", option.name},
+                               {"default", option.default_value},
+                               {"range", {option.lo, option.hi}},
+                               {"unit", option.unit},
+                               {"meaning", option.meaning}});
   json["source"] = method.source;
   return json;
 }
 
 void print(const Method& method) {
-  fmt::print("{}: for a {}, proves {}, {} arithmetic, {}\n  {}\n", method.name, method.applies_to, method.proves,
-             method.arithmetic, method.precisions, method.source);
+  fmt::print("{}: for a {}, proves {}, {} arithmetic, {}\n  {}\n", method.name, method.applies_to,
+             method.proves, method.arithmetic, method.precisions, method.source);
   for (const MethodOption& option : method.options)
     fmt::print("  --set {}={}  ({} to {}{}{})  {}\n", option.name, option.default_value, option.lo, option.hi,
                option.unit.empty() ? "" : " ", option.unit, option.meaning);
@@ -44,7 +49,8 @@ void run(bool json) {
 }  // namespace
 
 void add_methods(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("methods", "Every method: what it applies to, what it proves, its options and defaults");
+  CLI::App* verb = app.add_subcommand(
+      "methods", "Every method: what it applies to, what it proves, its options and defaults");
   const auto json = std::make_shared<bool>(false);
   verb->add_flag("--json", *json, "A JSON list on stdout");
   verb->callback([json] { run(*json); });

@@ -1,4 +1,5 @@
 // isocast render: a picture of a volume's iso-surfaces.
+#include <fmt/format.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/isocast/stats.h>
 #include <isocast/apps/isocast/verbs.h>
@@ -8,12 +9,10 @@
 #include <isocast/base/output_file.h>
 #include <isocast/render/image_file.h>
 #include <isocast/render/render.h>
-
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -23,11 +22,14 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-double ms_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
 // The command line as it was typed.
 struct Words {
-  std::string input, output, iso, iso_sweep, colors, method = "auto", size = "1024x1024", isa = "auto", precision = "float";
+  std::string input, output, iso, iso_sweep, colors, method = "auto", size = "1024x1024", isa = "auto",
+                                                     precision = "float";
   std::string position, target, up, fov, ortho, normals = "gradient", light, aov, stats;
   std::vector<std::string> set;
   bool shadows = false;
@@ -60,12 +62,14 @@ std::array<int, 2> parse_size(const std::string& text) {
     if (w >= 1 && h >= 1 && w <= kLargest && h <= kLargest && w == std::floor(w) && h == std::floor(h))
       return {static_cast<int>(w), static_cast<int>(h)};
   }
-  throw InputError(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each from 1 to {}", text, kLargest));
+  throw InputError(
+      fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each from 1 to {}", text, kLargest));
 }
 
 // The iso-values of every frame: one frame of all of --iso, or one value a frame.
 std::vector<std::vector<double>> parse_frames(const Words& words) {
-  const std::vector<double> iso = words.iso.empty() ? std::vector<double>{} : parse_numbers(words.iso, "--iso");
+  const std::vector<double> iso =
+      words.iso.empty() ? std::vector<double>{} : parse_numbers(words.iso, "--iso");
   if (words.iso_sweep.empty()) return {iso};
   if (!iso.empty()) throw InputError("--iso and --iso-sweep exclude each other");
   const std::vector<std::string> parts = split(words.iso_sweep, ':');
@@ -81,21 +85,26 @@ std::vector<std::vector<double>> parse_frames(const Words& words) {
 SceneDescription describe(const Words& words) {
   const bool file = words.input.find('/') != std::string::npos || fs::path(words.input).has_extension();
   if (words.input.starts_with('@') || words.input.starts_with(' ') || !file)
-    throw InputError(fmt::format("{}: this version renders volume files; sample the formula first with 'isocast sample'", words.input));
+    throw InputError(
+        fmt::format("{}: this version renders volume files; sample the formula first with 'isocast sample'",
+                    typed_formula(words.input)));
   SceneDescription scene;
   scene.volume.file = words.input;
   scene.volume.read = words.read;
   scene.volume.method = words.method;
   for (const std::string& word : words.set) scene.volume.settings.insert(parse_key_value(word, "--set"));
   if (!words.colors.empty())
-    for (const std::string& color : split(words.colors, ',')) scene.volume.colors.push_back(color_from_hex(color));
+    for (const std::string& color : split(words.colors, ','))
+      scene.volume.colors.push_back(color_from_hex(color));
   scene.volume.normals = words.normals == "difference" ? NormalKind::difference : NormalKind::gradient;
-  scene.camera = {parse_vector(words.position, "--camera-position"), parse_vector(words.target, "--camera-target"),
-                  parse_vector(words.up, "--camera-up"), std::nullopt, std::nullopt};
+  scene.camera = {parse_vector(words.position, "--camera-position"),
+                  parse_vector(words.target, "--camera-target"), parse_vector(words.up, "--camera-up"),
+                  std::nullopt, std::nullopt};
   if (!words.fov.empty()) scene.camera.fov = parse_number(words.fov, "--fov");
   if (!words.ortho.empty()) scene.camera.ortho_height = parse_number(words.ortho, "--ortho");
   scene.light = parse_vector(words.light, "--light");
-  if (scene.light && length(*scene.light) == 0) throw InputError("--light 0,0,0: expected a direction towards the light");
+  if (scene.light && length(*scene.light) == 0)
+    throw InputError("--light 0,0,0: expected a direction towards the light");
   scene.shadows = words.shadows;
   return scene;
 }
@@ -103,11 +112,13 @@ SceneDescription describe(const Words& words) {
 std::vector<Layer> parse_layers(const Words& words, bool exr) {
   std::vector<Layer> layers;
   if (words.aov.empty()) return layers;
-  if (!exr) throw InputError(fmt::format("--aov {}: layers need an .exr file, {} is none", words.aov, words.output));
+  if (!exr)
+    throw InputError(fmt::format("--aov {}: layers need an .exr file, {} is none", words.aov, words.output));
   for (const std::string& name : split(words.aov, ',')) {
     layers.push_back(layer_from_name(name));
     if (layers.back() == Layer::certificate)
-      throw InputError("--aov certificate: no method for volumes proves anything yet ('isocast methods' says which do)");
+      throw InputError(
+          "--aov certificate: no method for volumes proves anything yet ('isocast methods' says which do)");
   }
   return layers;
 }
@@ -115,7 +126,8 @@ std::vector<Layer> parse_layers(const Words& words, bool exr) {
 // out.png -> out_0003.png when there are several frames
 fs::path frame_path(const fs::path& output, std::size_t frame, std::size_t frames) {
   if (frames == 1) return output;
-  return output.parent_path() / fmt::format("{}_{:04}{}", output.stem().string(), frame, output.extension().string());
+  return output.parent_path() /
+         fmt::format("{}_{:04}{}", output.stem().string(), frame, output.extension().string());
 }
 
 void write_stats(const std::string& where, const std::string& text) {
@@ -129,7 +141,8 @@ void run(const Words& words) {
   const bool exr = extension == ".exr";
   if (!exr && extension != ".png")
     throw InputError(fmt::format("-o {}: expected a name that ends with .png or .exr", words.output));
-  if (words.precision == "mixed") throw InputError("--precision mixed: volumes are solved in float or double");
+  if (words.precision == "mixed")
+    throw InputError("--precision mixed: volumes are solved in float or double");
   const auto [width, height] = parse_size(words.size);
   const std::vector<Layer> layers = parse_layers(words, exr);
   const std::vector<std::vector<double>> frames = parse_frames(words);
@@ -137,8 +150,11 @@ void run(const Words& words) {
   description.volume.iso = frames.front();
   const EvaluationSettings evaluation{isa_from_name(words.isa), words.precision == "double"};
   const int threads = words.threads > 0 ? words.threads : oneapi::tbb::info::default_concurrency();
-  const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  { const OutputFile writable(frame_path(words.output, 0, frames.size())); }  // a bad name fails before the work
+  const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
+                                          static_cast<std::size_t>(threads));
+  // a bad name fails before the work
+  { const OutputFile writable(frame_path(words.output, 0, frames.size())); }
+  if (!words.stats.empty() && words.stats != "-") { const OutputFile writable(words.stats); }
 
   BuiltScene built = build_scene(description, evaluation);
   const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
@@ -160,9 +176,20 @@ void run(const Words& words) {
     else write_png(path, width, height, film.color().data());
     const double write_ms = ms_since(write_start);
     if (words.stats.empty()) continue;
-    const FrameReport report{built, find_features(built.scene, film, settings), counts, std::string(name_of(evaluation.isa)),
-                             evaluation.double_precision, threads, width, height, words.spp, render_ms, write_ms, ms_since(start)};
-    write_stats(frames.size() == 1 || words.stats == "-" ? words.stats : frame_path(words.stats, i, frames.size()).string(),
+    const FrameReport report{built,
+                             find_features(built.scene, film, settings),
+                             counts,
+                             std::string(name_of(evaluation.isa)),
+                             evaluation.double_precision,
+                             threads,
+                             width,
+                             height,
+                             words.spp,
+                             render_ms,
+                             write_ms,
+                             ms_since(start)};
+    write_stats(frames.size() == 1 || words.stats == "-" ? words.stats
+                                                         : frame_path(words.stats, i, frames.size()).string(),
                 stats_json(report, ISOCAST_VERSION));
   }
 }
@@ -170,29 +197,38 @@ void run(const Words& words) {
 }  // namespace
 
 void add_render(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("render", "Pictures of a volume's iso-surfaces: PNG, or EXR with layers");
+  CLI::App* verb =
+      app.add_subcommand("render", "Pictures of a volume's iso-surfaces: PNG, or EXR with layers");
   const auto w = std::make_shared<Words>();
   verb->add_option("INPUT", w->input, "A volume file")->required();
   verb->add_option("-o", w->output, "The picture: .png (sRGB) or .exr (linear, with layers)")->required();
-  verb->add_option("--iso", w->iso, "Iso-values V[,V...] in the file's units (default: the best of suggested_iso)");
-  verb->add_option("--iso-sweep", w->iso_sweep, "FROM:TO:COUNT, a frame per value: OUT_0000.png, OUT_0001.png, ...");
+  verb->add_option("--iso", w->iso,
+                   "Iso-values V[,V...] in the file's units (default: the best of suggested_iso)");
+  verb->add_option("--iso-sweep", w->iso_sweep,
+                   "FROM:TO:COUNT, a frame per value: OUT_0000.png, OUT_0001.png, ...");
   verb->add_option("--colors", w->colors, "A colour per iso-value: #rrggbb[,#rrggbb...]");
   verb->add_option("--method", w->method, "auto (marmitt), or a name that 'isocast methods' lists");
   verb->add_option("--set", w->set, "An option of the method, KEY=VALUE")->allow_extra_args(false);
   verb->add_option("--size", w->size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
-  verb->add_option("--spp", w->spp, "Samples per pixel for the colour; layers are those of the centre (default 1)")->check(CLI::Range(1, 4096));
+  verb->add_option("--spp", w->spp,
+                   "Samples per pixel for the colour; layers are those of the centre (default 1)")
+      ->check(CLI::Range(1, 4096));
   verb->add_option("--camera-position", w->position, "X,Y,Z in world units (default: frames the volume)");
   verb->add_option("--camera-target", w->target, "X,Y,Z in world units");
   verb->add_option("--camera-up", w->up, "X,Y,Z (default 0,0,1)");
   CLI::Option* fov = verb->add_option("--fov", w->fov, "Vertical field of view in degrees (default 45)");
-  verb->add_option("--ortho", w->ortho, "Orthographic camera: height of the picture in world units")->excludes(fov);
-  verb->add_option("--light", w->light, "X,Y,Z: direction towards a directional light (default: a headlight)");
+  verb->add_option("--ortho", w->ortho, "Orthographic camera: height of the picture in world units")
+      ->excludes(fov);
+  verb->add_option("--light", w->light,
+                   "X,Y,Z: direction towards a directional light (default: a headlight)");
   verb->add_flag("--shadows", w->shadows, "Hard shadows of the directional light");
-  verb->add_option("--normals", w->normals, "gradient (of the cell, exact) or difference (central differences, smooth)")
+  verb->add_option("--normals", w->normals,
+                   "gradient (of the cell, exact) or difference (central differences, smooth)")
       ->check(CLI::IsMember({"gradient", "difference"}));
   verb->add_option("--aov", w->aov, "Layers of the EXR: depth,z,normal,position,id,value,cost,certificate");
   verb->add_option("--isa", w->isa, "auto, scalar, sse4, avx2 or avx512: the same picture with each");
-  verb->add_option("--precision", w->precision, "float (default) or double")->check(CLI::IsMember({"float", "double", "mixed"}));
+  verb->add_option("--precision", w->precision, "float (default) or double")
+      ->check(CLI::IsMember({"float", "double", "mixed"}));
   verb->add_option("--threads", w->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
   verb->add_option("--stats", w->stats, "What was done, as JSON, to a file or - for stdout");
   add_read_options(*verb, w->read);

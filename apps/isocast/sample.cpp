@@ -1,4 +1,5 @@
 // isocast sample: a formula, a catalogue surface or a test volume on a grid, into a volume file.
+#include <fmt/format.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/base/error.h>
@@ -7,8 +8,6 @@
 #include <isocast/implicit/expression/catalogue.h>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include <memory>
 
 namespace isocast::verbs {

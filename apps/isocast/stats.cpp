@@ -1,7 +1,7 @@
 #include <isocast/apps/isocast/stats.h>
+#include <sys/resource.h>
 
 #include <nlohmann/json.hpp>
-#include <sys/resource.h>
 
 namespace isocast {
 
@@ -14,23 +14,34 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
   features.insert(features.end(), r.features.used.begin(), r.features.used.end());
   left_out.insert(left_out.end(), r.features.left_out.begin(), r.features.left_out.end());
 
-  json stats = {{"version", version}, {"isa", r.isa}, {"precision", r.double_precision ? "double" : "float"},
-                {"threads", r.threads}, {"method", r.built.method}};
+  json stats = {{"version", version},
+                {"isa", r.isa},
+                {"precision", r.double_precision ? "double" : "float"},
+                {"threads", r.threads},
+                {"method", r.built.method}};
   if (!r.built.method_reason.empty()) stats["method_reason"] = r.built.method_reason;
   stats["iso"] = r.built.options.iso;
   stats["size"] = {r.width, r.height};
   stats["spp"] = r.spp;
   stats["features"] = features;
   stats["left_out"] = left_out;
-  stats["ms"] = {{"load", r.built.load_ms}, {"build", r.built.build_ms}, {"render", r.render_ms}, {"write", r.write_ms}, {"total", r.total_ms}};
+  stats["ms"] = {{"load", r.built.load_ms},
+                 {"build", r.built.build_ms},
+                 {"render", r.render_ms},
+                 {"write", r.write_ms},
+                 {"total", r.total_ms}};
   stats["memory_mb"] = {{"peak", static_cast<double>(usage.ru_maxrss) * 1024 / kMega},
                         {"volume", static_cast<double>(r.built.volume->bytes()) / kMega},
                         {"acceleration", static_cast<double>(r.built.surface->macrocells().bytes()) / kMega}};
   const std::int64_t rays = r.counts.primary + r.counts.shadow;
-  stats["rays"] = {{"primary", r.counts.primary}, {"shadow", r.counts.shadow}, {"reflection", 0}, {"transparency", 0}};
+  stats["rays"] = {
+      {"primary", r.counts.primary}, {"shadow", r.counts.shadow}, {"reflection", 0}, {"transparency", 0}};
   stats["mrays_per_s"] = static_cast<double>(rays) / (1000 * r.render_ms);
-  stats["counts"] = {{"cells", r.counts.trace.cells}, {"macrocells", r.counts.trace.macrocells}, {"solves", r.counts.trace.solves},
-                     {"tiles", r.counts.tiles}, {"tiles_culled", r.counts.tiles_culled}};
+  stats["counts"] = {{"cells", r.counts.trace.cells},
+                     {"macrocells", r.counts.trace.macrocells},
+                     {"solves", r.counts.trace.solves},
+                     {"tiles", r.counts.tiles},
+                     {"tiles_culled", r.counts.tiles_culled}};
   stats["hits"] = r.counts.hits;
   stats["misses"] = r.counts.misses;
   stats["undecided"] = r.counts.undecided;

@@ -1,13 +1,12 @@
 // isocast surfaces: the catalogue, as a table or as JSON.
+#include <fmt/format.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/implicit/expression/catalogue.h>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 namespace isocast::verbs {
 namespace {

@@ -1,7 +1,6 @@
 #include <isocast/apps/reference/cell_reference.h>
 #include <isocast/apps/reference/exact_cubic.h>
 #include <isocast/base/interrupt.h>
-
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -72,7 +71,8 @@ ChordCubic cubic_along(const CellChord& chord) {
   }
   const ExactCubic b = {blossom[0], blossom[1] + blossom[2] + blossom[4],
                         blossom[3] + blossom[5] + blossom[6], blossom[7]};
-  return {b, {b[0], b[1] - 3 * b[0], 3 * b[0] - 2 * b[1] + b[2], b[3] - b[2] + b[1] - b[0]},
+  return {b,
+          {b[0], b[1] - 3 * b[0], 3 * b[0] - 2 * b[1] + b[2], b[3] - b[2] + b[1] - b[0]},
           long(f.exponent) + 3 * long(points.exponent)};
 }
 

@@ -1,7 +1,6 @@
+#include <fmt/format.h>
 #include <isocast/apps/scene_build/description.h>
 #include <isocast/base/error.h>
-
-#include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
@@ -11,7 +10,8 @@ namespace isocast {
 Color color_from_hex(const std::string& text) {
   unsigned code = 0;
   const bool shaped = text.size() == 7 && text[0] == '#';
-  const auto [end, error] = std::from_chars(text.data() + (shaped ? 1 : 0), text.data() + text.size(), code, 16);
+  const auto [end, error] =
+      std::from_chars(text.data() + (shaped ? 1 : 0), text.data() + text.size(), code, 16);
   if (!shaped || error != std::errc() || end != text.data() + text.size())
     throw InputError(fmt::format("colour '{}': expected six hexadecimal digits such as #d9a066", text));
   const auto linear = [](unsigned byte) {

@@ -13,8 +13,8 @@
 
 namespace isocast {
 
-/// Iso-surfaces of a volume file. `iso` in the file's scaled units; empty: the best of suggested_iso. `colors` are repeated
-/// over the iso-values; empty: the default palette.
+/// Iso-surfaces of a volume file. `iso` in the file's scaled units; empty: the best of suggested_iso.
+/// `colors` are repeated over the iso-values; empty: the default palette.
 struct VolumeDescription {
   std::filesystem::path file;
   ReadOptions read;

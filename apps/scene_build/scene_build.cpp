@@ -1,8 +1,7 @@
+#include <fmt/format.h>
 #include <isocast/apps/scene_build/scene_build.h>
 #include <isocast/base/error.h>
 #include <isocast/volume/statistics.h>
-
-#include <fmt/format.h>
 
 #include <chrono>
 
@@ -16,7 +15,9 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 std::vector<double> best_iso(const Volume& volume, const std::filesystem::path& file) {
   const VolumeStatistics statistics = statistics_of(volume);
   if (statistics.suggested_iso.empty())
-    throw InputError(fmt::format("{}: no iso-value suggests itself (it has no two different finite values); give one with --iso", file.string()));
+    throw InputError(fmt::format(
+        "{}: no iso-value suggests itself (it has no two different finite values); give one with --iso",
+        file.string()));
   return {statistics.suggested_iso.front()};
 }
 
@@ -27,7 +28,8 @@ void BuiltScene::set_iso(const std::vector<double>& iso, const std::vector<Color
   surface->set_options(options);
   SceneObject& object = scene.objects.front();
   object.colors.clear();
-  for (std::size_t i = 0; i < iso.size(); ++i) object.colors.push_back(colors.empty() ? default_color(i) : colors[i % colors.size()]);
+  for (std::size_t i = 0; i < iso.size(); ++i)
+    object.colors.push_back(colors.empty() ? default_color(i) : colors[i % colors.size()]);
 }
 
 BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings) {
@@ -38,7 +40,8 @@ BuiltScene build_scene(const SceneDescription& description, const EvaluationSett
   built.options.isa = settings.isa;
   built.options.normals = wanted.normals;
   built.method = std::string(volume_methods()[static_cast<std::size_t>(built.options.method.method)].name);
-  if (wanted.method == "auto") built.method_reason = "the first root of the exact cubic, isolated: right and fastest of those that are";
+  if (wanted.method == "auto")
+    built.method_reason = "the first root of the exact cubic, isolated: right and fastest of those that are";
 
   auto start = std::chrono::steady_clock::now();
   built.volume = std::make_shared<const Volume>(read_volume(wanted.file, wanted.read));
@@ -54,8 +57,11 @@ BuiltScene build_scene(const SceneDescription& description, const EvaluationSett
   built.scene.shadows = description.shadows;
   built.build_ms = ms_since(start);
 
-  built.features = {"volume", fmt::format("iso:{}", iso.size()), fmt::format("format:{}", built.volume->format)};
-  const auto list = [&](bool used, const char* name) { (used ? built.features : built.left_out).push_back(name); };
+  built.features = {"volume", fmt::format("iso:{}", iso.size()),
+                    fmt::format("format:{}", built.volume->format)};
+  const auto list = [&](bool used, const char* name) {
+    (used ? built.features : built.left_out).push_back(name);
+  };
   list(built.volume->mapped, "memory mapping");
   list(!built.volume->mapped, "copy of the samples");
   list(wanted.iso.empty(), "statistics");

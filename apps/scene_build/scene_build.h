@@ -21,7 +21,7 @@ struct BuiltScene {
   std::shared_ptr<const Volume> volume;
   std::shared_ptr<VolumeSurface> surface;
   VolumeSurfaceOptions options;
-  std::string method, method_reason;           // method_reason only when the method was "auto"
+  std::string method, method_reason;  // method_reason only when the method was "auto"
   std::vector<std::string> features, left_out;
   double load_ms = 0, build_ms = 0;
 
@@ -29,8 +29,8 @@ struct BuiltScene {
   void set_iso(const std::vector<double>& iso, const std::vector<Color>& colors);
 };
 
-/// Opens and builds what the description names and nothing else. Throws InputError for files, methods and options that cannot
-/// be used.
+/// Opens and builds what the description names and nothing else. Throws InputError for files, methods and
+/// options that cannot be used.
 [[nodiscard]] BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings);
 
 }  // namespace isocast

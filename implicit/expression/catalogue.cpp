@@ -1,13 +1,12 @@
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/base/text.h>
 #include <isocast/implicit/expression/catalogue.h>
 #include <isocast/implicit/expression/nearest_name.h>
 #include <isocast_surfaces_json.h>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace isocast {
 namespace {

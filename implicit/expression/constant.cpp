@@ -1,6 +1,5 @@
-#include <isocast/implicit/expression/constant.h>
-
 #include <fmt/format.h>
+#include <isocast/implicit/expression/constant.h>
 
 #include <algorithm>
 #include <bit>

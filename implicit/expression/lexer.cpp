@@ -1,9 +1,8 @@
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/base/text.h>
 #include <isocast/implicit/expression/lexer.h>
 #include <isocast/implicit/expression/nearest_name.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 

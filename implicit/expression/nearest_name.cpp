@@ -1,6 +1,5 @@
-#include <isocast/implicit/expression/nearest_name.h>
-
 #include <fmt/format.h>
+#include <isocast/implicit/expression/nearest_name.h>
 
 #include <algorithm>
 #include <cstddef>

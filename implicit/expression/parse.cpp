@@ -1,11 +1,10 @@
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/base/text.h>
 #include <isocast/implicit/expression/builtins.h>
 #include <isocast/implicit/expression/lexer.h>
 #include <isocast/implicit/expression/nearest_name.h>
 #include <isocast/implicit/expression/parse.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 

@@ -6,8 +6,8 @@
 
 namespace isocast {
 
-/// What the user gave cannot be used: wrong command line, file, formula, missing optional part. The message is one
-/// sentence: what was found, where (file, line, column, byte or key), what was expected. Exit code 2.
+/// What the user gave cannot be used: wrong command line, file, formula, missing optional part. The message
+/// is one sentence: what was found, where (file, line, column, byte or key), what was expected. Exit code 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,8 +1,8 @@
 #include <isocast/base/error.h>
 #include <isocast/base/interrupt.h>
+#include <pthread.h>
 
 #include <csignal>
-#include <pthread.h>
 #include <thread>
 
 namespace isocast {

@@ -5,8 +5,8 @@
 
 namespace isocast {
 
-/// The token that the first Ctrl-C (or SIGTERM) triggers; the first call installs the handlers. A second signal ends the
-/// process at once.
+/// The token that the first Ctrl-C (or SIGTERM) triggers; the first call installs the handlers. A second
+/// signal ends the process at once.
 std::stop_token interrupt_token();
 
 /// Throws Interrupted when Ctrl-C was pressed.

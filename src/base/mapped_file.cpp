@@ -1,8 +1,7 @@
-#include <isocast/base/error.h>
-#include <isocast/base/mapped_file.h>
-
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <isocast/base/error.h>
+#include <isocast/base/mapped_file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -13,7 +12,9 @@
 namespace isocast {
 
 MappedFile map_file(const std::filesystem::path& path) {
-  const auto fail = [&](const char* why) -> void { throw InputError(fmt::format("cannot read {}: {}", path.string(), why)); };
+  const auto fail = [&](const char* why) -> void {
+    throw InputError(fmt::format("cannot read {}: {}", path.string(), why));
+  };
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) fail(std::strerror(errno));
   struct Closer {

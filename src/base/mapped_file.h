@@ -14,8 +14,8 @@ struct MappedFile {
   std::span<const std::byte> bytes;
 };
 
-/// Maps a regular file. Throws InputError (with the path) when it does not exist, is a folder or no regular file, or may not
-/// be read.
+/// Maps a regular file. Throws InputError (with the path) when it does not exist, is a folder or no regular
+/// file, or may not be read.
 [[nodiscard]] MappedFile map_file(const std::filesystem::path& path);
 
 }  // namespace isocast

@@ -1,8 +1,7 @@
-#include <isocast/base/error.h>
-#include <isocast/base/module.h>
-
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <isocast/base/error.h>
+#include <isocast/base/module.h>
 
 #include <filesystem>
 #include <map>
@@ -37,10 +36,14 @@ const void* open_module(const std::string& name, const std::string& needed_for) 
     std::error_code error;
     if (!fs::exists(path, error)) continue;
     void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!handle) throw InputError(fmt::format("{} needs the module '{}', which cannot be loaded: {}", needed_for, name, dlerror()));
+    if (!handle)
+      throw InputError(
+          fmt::format("{} needs the module '{}', which cannot be loaded: {}", needed_for, name, dlerror()));
     using Entry = const void* (*)();
     const auto entry = reinterpret_cast<Entry>(dlsym(handle, "isocast_module"));
-    if (!entry) throw InputError(fmt::format("{} needs the module '{}', but {} is not one", needed_for, name, path.string()));
+    if (!entry)
+      throw InputError(
+          fmt::format("{} needs the module '{}', but {} is not one", needed_for, name, path.string()));
     return opened[name] = entry();
   }
   throw InputError(fmt::format("{} needs the module '{}', which this build does not have", needed_for, name));

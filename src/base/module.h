@@ -1,13 +1,14 @@
-// Optional parts with heavy libraries (image formats, NIfTI, later OpenVDB, Embree) live in shared objects that are opened
-// when a scene first needs them.
+// Optional parts with heavy libraries (image formats, NIfTI, later OpenVDB, Embree) live in shared objects
+// that are opened when a scene first needs them.
 #pragma once
 
 #include <string>
 
 namespace isocast {
 
-/// The entry point of module `name`: what its `extern "C" const void* isocast_module()` returns. Opened once per process.
-/// Throws InputError with `needed_for` in the sentence when the module was not built or cannot be loaded.
+/// The entry point of module `name`: what its `extern "C" const void* isocast_module()` returns. Opened once
+/// per process. Throws InputError with `needed_for` in the sentence when the module was not built or cannot
+/// be loaded.
 [[nodiscard]] const void* open_module(const std::string& name, const std::string& needed_for);
 
 /// The same, as the module's table of functions.

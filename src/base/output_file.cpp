@@ -1,7 +1,6 @@
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/base/output_file.h>
-
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -15,12 +14,16 @@ OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
   std::error_code ignored;
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
-    throw InputError(fmt::format("cannot write {}: the folder {} does not exist", target_.string(), folder.string()));
+    throw InputError(
+        fmt::format("cannot write {}: the folder {} does not exist", target_.string(), folder.string()));
   if (fs::is_directory(target_, ignored))
-    throw InputError(fmt::format("cannot write {}: it is a folder, a file name was expected", target_.string()));
+    throw InputError(
+        fmt::format("cannot write {}: it is a folder, a file name was expected", target_.string()));
   if (access(folder.c_str(), W_OK) != 0)
-    throw InputError(fmt::format("cannot write {}: no permission to write in {}", target_.string(), folder.string()));
-  temporary_ = folder / fmt::format(".{}.{}.part{}", target_.stem().string(), getpid(), target_.extension().string());
+    throw InputError(
+        fmt::format("cannot write {}: no permission to write in {}", target_.string(), folder.string()));
+  temporary_ =
+      folder / fmt::format(".{}.{}.part{}", target_.stem().string(), getpid(), target_.extension().string());
 }
 
 OutputFile::~OutputFile() {

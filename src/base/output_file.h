@@ -6,8 +6,9 @@
 
 namespace isocast {
 
-/// Gives a temporary name in the target's folder (with the target's extension, so that writers choose by it), and renames
-/// on commit(). Without commit the destructor removes the temporary file and what was on disk before stays untouched.
+/// Gives a temporary name in the target's folder (with the target's extension, so that writers choose by it),
+/// and renames on commit(). Without commit the destructor removes the temporary file and what was on disk
+/// before stays untouched.
 class OutputFile {
  public:
   /// Throws InputError when the folder does not exist or is not writable, or the target is a folder.

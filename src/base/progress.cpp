@@ -1,6 +1,5 @@
-#include <isocast/base/progress.h>
-
 #include <fmt/format.h>
+#include <isocast/base/progress.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,7 +10,10 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 Progress::Progress(std::string what, std::int64_t total)
-    : what_(std::move(what)), total_(std::max<std::int64_t>(total, 1)), start_(steady_clock::now()), last_(start_),
+    : what_(std::move(what)),
+      total_(std::max<std::int64_t>(total, 1)),
+      start_(steady_clock::now()),
+      last_(start_),
       terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {

@@ -9,8 +9,8 @@
 
 namespace isocast {
 
-/// Counts units of work from any number of threads and draws a bar once a second of work has passed and stderr is a
-/// terminal. The destructor clears the line.
+/// Counts units of work from any number of threads and draws a bar once a second of work has passed and
+/// stderr is a terminal. The destructor clears the line.
 class Progress {
  public:
   Progress(std::string what, std::int64_t total);

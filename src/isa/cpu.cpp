@@ -1,7 +1,6 @@
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/isa/cpu.h>
-
-#include <fmt/format.h>
 #include <xmmintrin.h>
 
 #include <iterator>
@@ -36,13 +35,17 @@ Isa widest_isa() { return available_isas().back(); }
 
 Isa isa_from_name(std::string_view name) {
   if (name == "auto") return widest_isa();
-  if (name == "cuda") throw InputError("instruction set 'cuda': this build has no CUDA part; use auto, scalar, sse4, avx2 or avx512");
+  if (name == "cuda")
+    throw InputError(
+        "instruction set 'cuda': this build has no CUDA part; use auto, scalar, sse4, avx2 or avx512");
   for (int i = 0; i < kIsaCount; ++i)
     if (name == kNames[i]) {
       if (runs_here(static_cast<Isa>(i))) return static_cast<Isa>(i);
-      throw InputError(fmt::format("instruction set '{}': this processor lacks it; the widest here is {}", name, name_of(widest_isa())));
+      throw InputError(fmt::format("instruction set '{}': this processor lacks it; the widest here is {}",
+                                   name, name_of(widest_isa())));
     }
-  throw InputError(fmt::format("instruction set '{}' is unknown; expected auto, scalar, sse4, avx2, avx512 or cuda", name));
+  throw InputError(fmt::format(
+      "instruction set '{}' is unknown; expected auto, scalar, sse4, avx2, avx512 or cuda", name));
 }
 
 DefaultFloatEnvironment::DefaultFloatEnvironment() : saved_(_mm_getcsr()) { _mm_setcsr(kDefaultControl); }

@@ -7,7 +7,8 @@
 #define ISO_HD
 #endif
 
-// Kernels are compiled once per instruction set in a namespace of that name, so that no two builds share a symbol.
+// Kernels are compiled once per instruction set in a namespace of that name, so that no two builds share a
+// symbol.
 #ifndef ISO_ISA
 #define ISO_ISA base
 #endif

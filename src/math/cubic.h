@@ -6,21 +6,19 @@
 namespace isocast::inline ISO_ISA {
 
 /// p(s) = c0 (1-s)^3 + 3 c1 s (1-s)^2 + 3 c2 s^2 (1-s) + c3 s^3.
-template <Real R> struct BernsteinCubic {
-  R c0, c1, c2, c3;
-};
+template <Real R> struct BernsteinCubic { R c0, c1, c2, c3; };
 
 /// p(s) = a s^3 + b s^2 + c s + d.
-template <Real R> struct PowerCubic {
-  R a, b, c, d;
-};
+template <Real R> struct PowerCubic { R a, b, c, d; };
 
 /// All weights are positive on [0,1]: the error is below 8 unit roundoffs of max |c_i|.
 template <Real R> ISO_HD inline R eval(const BernsteinCubic<R>& p, R s) {
   const R r = R(1) - s, ss = s * s;
   return ((p.c0 * r + R(3) * p.c1 * s) * r + R(3) * p.c2 * ss) * r + p.c3 * (ss * s);
 }
-template <Real R> ISO_HD inline R eval(const PowerCubic<R>& p, R s) { return ((p.a * s + p.b) * s + p.c) * s + p.d; }
+template <Real R> ISO_HD inline R eval(const PowerCubic<R>& p, R s) {
+  return ((p.a * s + p.b) * s + p.c) * s + p.d;
+}
 
 /// p(0) and p(1), with the sign of a coefficient that underflowed to -0.
 template <Real R> ISO_HD inline R value_at_0(const BernsteinCubic<R>& p) { return p.c0; }
@@ -40,16 +38,15 @@ template <Real R> ISO_HD inline R eval_derivative(const PowerCubic<R>& p, R s) {
 
 /// The same polynomial in powers; digits are lost where coefficients cancel.
 template <Real R> ISO_HD inline PowerCubic<R> power_form(const BernsteinCubic<R>& p) {
-  return {(p.c3 - p.c0) + R(3) * (p.c1 - p.c2), R(3) * ((p.c0 - p.c1) + (p.c2 - p.c1)), R(3) * (p.c1 - p.c0), p.c0};
+  return {(p.c3 - p.c0) + R(3) * (p.c1 - p.c2), R(3) * ((p.c0 - p.c1) + (p.c2 - p.c1)), R(3) * (p.c1 - p.c0),
+          p.c0};
 }
 
 /// Where p' vanishes, in order. What does not exist is NaN or infinite, so `lo < e & e < hi` excludes it.
-template <Real R> struct Extrema {
-  R first, second;
-};
+template <Real R> struct Extrema { R first, second; };
 
-/// From the derivative's Bernstein coefficients, scaled by a power of two, with the quadratic formula that never subtracts
-/// nearly equal numbers.
+/// From the derivative's Bernstein coefficients, scaled by a power of two, with the quadratic formula that
+/// never subtracts nearly equal numbers.
 template <Real R> ISO_HD inline Extrema<R> extrema(const BernsteinCubic<R>& p) {
   const R e0 = p.c1 - p.c0, e1 = p.c2 - p.c1, e2 = p.c3 - p.c2;
   const R scale = inverse_power_of_two(max(max(abs(e0), abs(e1)), abs(e2)));

@@ -1,8 +1,8 @@
-// Transcendental functions of a Real: SLEEF's deterministic set, the same bits on every instruction set, within 1 ulp.
+// Transcendental functions of a Real: SLEEF's deterministic set, the same bits on every instruction set,
+// within 1 ulp.
 #pragma once
 
 #include <isocast/math/pack.h>
-
 #include <sleef.h>
 
 namespace isocast::inline ISO_ISA {
@@ -29,12 +29,24 @@ inline Pack<double, 4> acos(Pack<double, 4> a) { return Pack<double, 4>(Sleef_ci
 inline Pack<double, 4> cbrt(Pack<double, 4> a) { return Pack<double, 4>(Sleef_cinz_cbrtd4_u10avx(a.v)); }
 #endif
 #ifdef __AVX512F__
-inline Pack<float, 16> cos(Pack<float, 16> a) { return Pack<float, 16>(Sleef_cinz_cosf16_u10avx512fnofma(a.v)); }
-inline Pack<float, 16> acos(Pack<float, 16> a) { return Pack<float, 16>(Sleef_cinz_acosf16_u10avx512fnofma(a.v)); }
-inline Pack<float, 16> cbrt(Pack<float, 16> a) { return Pack<float, 16>(Sleef_cinz_cbrtf16_u10avx512fnofma(a.v)); }
-inline Pack<double, 8> cos(Pack<double, 8> a) { return Pack<double, 8>(Sleef_cinz_cosd8_u10avx512fnofma(a.v)); }
-inline Pack<double, 8> acos(Pack<double, 8> a) { return Pack<double, 8>(Sleef_cinz_acosd8_u10avx512fnofma(a.v)); }
-inline Pack<double, 8> cbrt(Pack<double, 8> a) { return Pack<double, 8>(Sleef_cinz_cbrtd8_u10avx512fnofma(a.v)); }
+inline Pack<float, 16> cos(Pack<float, 16> a) {
+  return Pack<float, 16>(Sleef_cinz_cosf16_u10avx512fnofma(a.v));
+}
+inline Pack<float, 16> acos(Pack<float, 16> a) {
+  return Pack<float, 16>(Sleef_cinz_acosf16_u10avx512fnofma(a.v));
+}
+inline Pack<float, 16> cbrt(Pack<float, 16> a) {
+  return Pack<float, 16>(Sleef_cinz_cbrtf16_u10avx512fnofma(a.v));
+}
+inline Pack<double, 8> cos(Pack<double, 8> a) {
+  return Pack<double, 8>(Sleef_cinz_cosd8_u10avx512fnofma(a.v));
+}
+inline Pack<double, 8> acos(Pack<double, 8> a) {
+  return Pack<double, 8>(Sleef_cinz_acosd8_u10avx512fnofma(a.v));
+}
+inline Pack<double, 8> cbrt(Pack<double, 8> a) {
+  return Pack<double, 8>(Sleef_cinz_cbrtd8_u10avx512fnofma(a.v));
+}
 #endif
 
 }  // namespace isocast::inline ISO_ISA

@@ -1,9 +1,9 @@
-// Several lanes of float or double in one register, on the compiler's vector types. Never included by .cu files.
+// Several lanes of float or double in one register, on the compiler's vector types. Never included by .cu
+// files.
 #pragma once
 
-#include <isocast/math/real.h>
-
 #include <immintrin.h>
+#include <isocast/math/real.h>
 
 namespace isocast::inline ISO_ISA {
 
@@ -39,7 +39,8 @@ template <class T, int W> struct PackMask {
 
 #ifdef __AVX512DQ__
 /// AVX-512 has registers for masks: one bit a lane.
-template <class T, int W> requires(W * sizeof(T) == 64) struct PackMask<T, W> {
+template <class T, int W>
+requires(W * sizeof(T) == 64) struct PackMask<T, W> {
   using Bits = typename PackTypes<T, W>::MaskRegister;
   Bits v;
   PackMask() = default;
@@ -53,7 +54,8 @@ template <class T, int W> requires(W * sizeof(T) == 64) struct PackMask<T, W> {
 };
 #endif
 
-/// W lanes of T, exactly one register wide (g++ 12 makes wider ones several times slower: use an array of packs).
+/// W lanes of T, exactly one register wide (g++ 12 makes wider ones several times slower: use an array of
+/// packs).
 template <class T, int W> struct Pack {
   static_assert(W * sizeof(T) == 16 || W * sizeof(T) == 32 || W * sizeof(T) == 64, "one register");
   using Int = typename PackTypes<T, W>::Int;
@@ -79,11 +81,11 @@ template <class T, int W> struct RealTraits<Pack<T, W>> {
 template <class T, int W> inline constexpr bool kMaskRegisters = sizeof(PackMask<T, W>) < sizeof(Pack<T, W>);
 
 // Comparisons are false for NaN, but for != (as in C).
-#define ISO_PACK_COMPARISON(op, predicate)                                                                   \
-  template <class T, int W> inline PackMask<T, W> operator op(Pack<T, W> a, Pack<T, W> b) {                  \
-    if constexpr (!kMaskRegisters<T, W>) return a.v op b.v;                                                  \
-    else if constexpr (sizeof(T) == 4) return _mm512_cmp_ps_mask(a.v, b.v, predicate);                       \
-    else return _mm512_cmp_pd_mask(a.v, b.v, predicate);                                                     \
+#define ISO_PACK_COMPARISON(op, predicate)                                                  \
+  template <class T, int W> inline PackMask<T, W> operator op(Pack<T, W> a, Pack<T, W> b) { \
+    if constexpr (!kMaskRegisters<T, W>) return a.v op b.v;                                 \
+    else if constexpr (sizeof(T) == 4) return _mm512_cmp_ps_mask(a.v, b.v, predicate);      \
+    else return _mm512_cmp_pd_mask(a.v, b.v, predicate);                                    \
   }
 ISO_PACK_COMPARISON(<, _CMP_LT_OQ)
 ISO_PACK_COMPARISON(<=, _CMP_LE_OQ)
@@ -119,10 +121,14 @@ template <class T, int W> inline typename Pack<T, W>::IntVector int_bits(Pack<T,
 template <class T, int W> inline Pack<T, W> from_int_bits(typename Pack<T, W>::IntVector a) {
   return __builtin_bit_cast(typename Pack<T, W>::Vector, a);
 }
-template <class T, int W> inline constexpr typename Pack<T, W>::Int kSignBit =
-    sizeof(T) == 4 ? typename Pack<T, W>::Int(0x80000000u) : typename Pack<T, W>::Int(0x8000000000000000ull);
+template <class T, int W>
+inline constexpr
+    typename Pack<T, W>::Int kSignBit = sizeof(T) == 4 ? typename Pack<T, W>::Int(0x80000000u)
+                                                       : typename Pack<T, W>::Int(0x8000000000000000ull);
 
-template <class T, int W> inline Pack<T, W> abs(Pack<T, W> a) { return from_int_bits<T, W>(int_bits(a) & ~kSignBit<T, W>); }
+template <class T, int W> inline Pack<T, W> abs(Pack<T, W> a) {
+  return from_int_bits<T, W>(int_bits(a) & ~kSignBit<T, W>);
+}
 template <class T, int W> inline PackMask<T, W> negative(Pack<T, W> a) {
   if constexpr (!kMaskRegisters<T, W>) return int_bits(a) < 0;
   else if constexpr (sizeof(T) == 4) return _mm512_movepi32_mask(__m512i(a.v));

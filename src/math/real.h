@@ -8,18 +8,31 @@ namespace isocast::inline ISO_ISA {
 
 /// What a Real is made of: its scalar type, its mask, its number of lanes. Pack (pack.h) has its own.
 template <class R> struct RealTraits;
-template <> struct RealTraits<float> { using Scalar = float; using Mask = bool; static constexpr int width = 1; };
-template <> struct RealTraits<double> { using Scalar = double; using Mask = bool; static constexpr int width = 1; };
+template <> struct RealTraits<float> {
+  using Scalar = float;
+  using Mask = bool;
+  static constexpr int width = 1;
+};
+template <> struct RealTraits<double> {
+  using Scalar = double;
+  using Mask = bool;
+  static constexpr int width = 1;
+};
 
 template <class R> using Scalar = typename RealTraits<R>::Scalar;
 template <class R> using Mask = typename RealTraits<R>::Mask;
 template <class R> inline constexpr int kWidth = RealTraits<R>::width;
 
 /// float, double or a Pack of them.
-template <class R> concept Real = requires { typename RealTraits<R>::Scalar; };
-template <class T> concept ScalarReal = Real<T> && RealTraits<T>::width == 1;
+template <class R>
+concept Real = requires {
+  typename RealTraits<R>::Scalar;
+};
+template <class T>
+concept ScalarReal = Real<T> && RealTraits<T>::width == 1;
 
-/// Half the spacing of numbers at 1: a correctly rounded operation is off by at most kUnitRoundoff times its result.
+/// Half the spacing of numbers at 1: a correctly rounded operation is off by at most kUnitRoundoff times its
+/// result.
 template <class T> inline constexpr T kUnitRoundoff = T(0);
 template <> inline constexpr float kUnitRoundoff<float> = 0x1p-24f;
 template <> inline constexpr double kUnitRoundoff<double> = 0x1p-53;
@@ -37,16 +50,17 @@ ISO_HD inline double abs(double a) { return __builtin_fabs(a); }
 ISO_HD inline float sqrt(float a) { return __builtin_sqrtf(a); }
 ISO_HD inline double sqrt(double a) { return __builtin_sqrt(a); }
 
-/// The sign bit. Samples minus iso are never -0, and an underflow keeps its sign: so this calls exactly zero positive and
-/// stays consistent where a comparison with 0 would not (design.md, decision 5).
+/// The sign bit. Samples minus iso are never -0, and an underflow keeps its sign: so this calls exactly zero
+/// positive and stays consistent where a comparison with 0 would not (design.md, decision 5).
 ISO_HD inline bool negative(float a) { return __builtin_signbitf(a); }
 ISO_HD inline bool negative(double a) { return __builtin_signbit(a); }
 /// Magnitude of a, sign of b.
 ISO_HD inline float copysign(float a, float b) { return __builtin_copysignf(a, b); }
 ISO_HD inline double copysign(double a, double b) { return __builtin_copysign(a, b); }
 
-/// A power of two p with 1 <= p |a| < 2 for normal a below the top two binades; never zero, infinite or NaN. Scaling by it is
-/// exact and keeps squares and products of the largest of several numbers from over- and underflow.
+/// A power of two p with 1 <= p |a| < 2 for normal a below the top two binades; never zero, infinite or NaN.
+/// Scaling by it is exact and keeps squares and products of the largest of several numbers from over- and
+/// underflow.
 ISO_HD inline float inverse_power_of_two(float a) {
   const std::uint32_t e = __builtin_bit_cast(std::uint32_t, a) & 0x7f800000u;
   const std::uint32_t inverse = 0x7f000000u - (e > 0x7e800000u ? 0x7e800000u : e);

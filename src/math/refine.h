@@ -6,9 +6,7 @@
 namespace isocast::inline ISO_ISA {
 
 /// f(lo) and f(hi) differ in sign (zero counts as positive), so a root lies between.
-template <Real R> struct Bracket {
-  R lo, hi, flo, fhi;
-};
+template <Real R> struct Bracket { R lo, hi, flo, fhi; };
 
 /// Replaces the end whose sign f(s) has, in the lanes of `active`.
 template <Real R> ISO_HD inline void narrow(Bracket<R>& b, R s, R fs, Mask<R> active) {
@@ -26,7 +24,8 @@ template <Real R> ISO_HD inline R chord_zero(const Bracket<R>& b) {
   return max(min(s, b.hi), b.lo);
 }
 
-/// n steps of regula falsi, then the zero of the last chord. One end may never move: no error bound but the bracket.
+/// n steps of regula falsi, then the zero of the last chord. One end may never move: no error bound but the
+/// bracket.
 template <Real R, class F> ISO_HD inline R regula_falsi(F f, Bracket<R>& b, int n) {
   for (int i = 0; i < n; ++i) {
     const R s = chord_zero(b);
@@ -45,7 +44,8 @@ template <Real R, class F> ISO_HD inline R bisect(F f, Bracket<R>& b, int n) {
 }
 
 /// Regula falsi until a step is below `tolerance`, at most 64 steps.
-template <Real R, class F> ISO_HD inline R regula_falsi_adaptive(F f, Bracket<R>& b, R tolerance, Mask<R> active) {
+template <Real R, class F>
+ISO_HD inline R regula_falsi_adaptive(F f, Bracket<R>& b, R tolerance, Mask<R> active) {
   R s = chord_zero(b);
   for (int i = 0; i < 64 && any(active); ++i) {
     narrow(b, s, f(s), active);
@@ -56,11 +56,11 @@ template <Real R, class F> ISO_HD inline R regula_falsi_adaptive(F f, Bracket<R>
   return s;
 }
 
-/// Newton's steps from the chord's zero, halving the bracket instead whenever a step leaves it or is more than half of the
-/// step before. Once a Newton step is small (it squares the error) the signs at s - tolerance and s + tolerance are asked:
-/// where they differ the bracket is theirs; elsewhere (near multiple roots) the steps go on until they fall below the
-/// tolerance, twice at most. Lanes outside `active` are left alone, and no lane depends on another: the same bits for every
-/// width. Needs f' in df.
+/// Newton's steps from the chord's zero, halving the bracket instead whenever a step leaves it or is more
+/// than half of the step before. Once a Newton step is small (it squares the error) the signs at s -
+/// tolerance and s + tolerance are asked: where they differ the bracket is theirs; elsewhere (near multiple
+/// roots) the steps go on until they fall below the tolerance, twice at most. Lanes outside `active` are left
+/// alone, and no lane depends on another: the same bits for every width. Needs f' in df.
 template <Real R, class F, class D>
 ISO_HD inline R newton_bracketed(F f, D df, Bracket<R>& b, R tolerance, Mask<R> active) {
   const R enclosed = R(3) * tolerance;

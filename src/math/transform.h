@@ -22,14 +22,16 @@ struct Transform {
     for (int r = 0; r < 3; ++r) q[r] = m[r][0] * v[0] + m[r][1] * v[1] + m[r][2] * v[2];
     return q;
   }
-  /// A^T v: with the inverse map this turns a gradient in this map's source space into one in its target space.
+  /// A^T v: with the inverse map this turns a gradient in this map's source space into one in its target
+  /// space.
   [[nodiscard]] Double3 transposed_vector(const Double3& v) const {
     Double3 q;
     for (int c = 0; c < 3; ++c) q[c] = m[0][c] * v[0] + m[1][c] * v[1] + m[2][c] * v[2];
     return q;
   }
   [[nodiscard]] double determinant() const {
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   }
   /// The inverse map; entries are infinite or NaN when the determinant is zero.
@@ -41,7 +43,8 @@ struct Transform {
         const int r1 = (c + 1) % 3, r2 = (c + 2) % 3, c1 = (r + 1) % 3, c2 = (r + 2) % 3;
         t.m[r][c] = k * (m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1]);
       }
-    for (int r = 0; r < 3; ++r) t.m[r][3] = -(t.m[r][0] * m[0][3] + t.m[r][1] * m[1][3] + t.m[r][2] * m[2][3]);
+    for (int r = 0; r < 3; ++r)
+      t.m[r][3] = -(t.m[r][0] * m[0][3] + t.m[r][1] * m[1][3] + t.m[r][2] * m[2][3]);
     return t;
   }
 };
@@ -51,11 +54,14 @@ struct Transform {
   Transform t;
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 4; ++c)
-      t.m[r][c] = a.m[r][0] * b.m[0][c] + a.m[r][1] * b.m[1][c] + a.m[r][2] * b.m[2][c] + (c == 3 ? a.m[r][3] : 0);
+      t.m[r][c] =
+          a.m[r][0] * b.m[0][c] + a.m[r][1] * b.m[1][c] + a.m[r][2] * b.m[2][c] + (c == 3 ? a.m[r][3] : 0);
   return t;
 }
 
-[[nodiscard]] inline double dot(const Double3& a, const Double3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+[[nodiscard]] inline double dot(const Double3& a, const Double3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 [[nodiscard]] inline Double3 cross(const Double3& a, const Double3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -65,8 +71,12 @@ struct Transform {
   const double n = length(a);
   return n > 0 ? Double3{a[0] / n, a[1] / n, a[2] / n} : a;
 }
-[[nodiscard]] inline Double3 operator+(const Double3& a, const Double3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-[[nodiscard]] inline Double3 operator-(const Double3& a, const Double3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+[[nodiscard]] inline Double3 operator+(const Double3& a, const Double3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+[[nodiscard]] inline Double3 operator-(const Double3& a, const Double3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 [[nodiscard]] inline Double3 operator*(double k, const Double3& a) { return {k * a[0], k * a[1], k * a[2]}; }
 
 }  // namespace isocast

@@ -5,11 +5,12 @@
 
 namespace isocast {
 
-/// What a method says of a ray: nothing proved; a root lies in [t_lo, t_hi] and [t_min, t_lo) is empty; no root at all;
-/// neither could be proved.
+/// What a method says of a ray: nothing proved; a root lies in [t_lo, t_hi] and [t_min, t_lo) is empty; no
+/// root at all; neither could be proved.
 enum class Certificate : std::uint8_t { no_proof, proved_hit, proved_miss, undecided };
 
-/// First hits of a RayStream, slot by slot. t is +inf where nothing was hit; then only certificate and cost have a meaning.
+/// First hits of a RayStream, slot by slot. t is +inf where nothing was hit; then only certificate and cost
+/// have a meaning.
 ///
 /// t, t_lo, t_hi  ray parameter of the hit and its bracket, in units of the ray's direction
 /// cell, s, s_hi  cell of the hit (volumes) and the place in its chord, from which next_hit goes on
@@ -37,7 +38,8 @@ inline void clear(HitStream& hits) {
 }
 /// Behind the hit, bit `iso` of sides has changed, unless the surface was only touched (undecided).
 inline std::uint32_t sides_behind(const HitStream& hits, int slot) {
-  return hits.certificate[slot] == Certificate::undecided ? hits.sides[slot] : hits.sides[slot] ^ (1u << hits.iso[slot]);
+  return hits.certificate[slot] == Certificate::undecided ? hits.sides[slot]
+                                                          : hits.sides[slot] ^ (1u << hits.iso[slot]);
 }
 
 /// Work done, summed over rays.

@@ -1,10 +1,11 @@
-// A method as a row of plain data: the command line, `isocast methods`, the bench and the docs are generated from it.
+// A method as a row of plain data: the command line, `isocast methods`, the bench and the docs are generated
+// from it.
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
-#include <map>
 
 namespace isocast {
 
@@ -13,7 +14,7 @@ struct MethodOption {
   std::string_view name;
   double default_value, lo, hi;
   bool integer;
-  std::string_view unit;     // "" for counts and switches
+  std::string_view unit;  // "" for counts and switches
   std::string_view meaning;
 };
 
@@ -27,10 +28,11 @@ struct Method {
   std::string_view source;
 };
 
-/// The values of `settings` ("iterations" -> "5") as numbers, defaults filled in. Throws InputError for an unknown name (with
-/// those that exist), a value that is no number, no integer where one is due, or outside its range.
-[[nodiscard]] std::map<std::string, double> resolve_options(const Method& method,
-                                                            const std::map<std::string, std::string>& settings);
+/// The values of `settings` ("iterations" -> "5") as numbers, defaults filled in. Throws InputError for an
+/// unknown name (with those that exist), a value that is no number, no integer where one is due, or outside
+/// its range.
+[[nodiscard]] std::map<std::string, double> resolve_options(
+    const Method& method, const std::map<std::string, std::string>& settings);
 
 /// The row of that name, or an InputError that lists the names.
 [[nodiscard]] const Method& find_method(std::span<const Method> methods, std::string_view name);

@@ -10,8 +10,8 @@ inline constexpr std::uint16_t kNoObject = 0xffff;
 
 enum class RayKind : std::uint8_t { primary, shadow, reflection, transparency };
 
-/// Up to 256 rays p(t) = o + t d in world space, t in [t_min, t_max]; d has any length. Sixteen rays in a row make a packet
-/// (4x4 pixels of a primary stream). A slot without a ray has t_min > t_max.
+/// Up to 256 rays p(t) = o + t d in world space, t in [t_min, t_max]; d has any length. Sixteen rays in a row
+/// make a packet (4x4 pixels of a primary stream). A slot without a ray has t_min > t_max.
 ///
 /// u, v          pixel position of primary rays, in pixels from the upper left corner
 /// id            pixel index of the ray, for the film

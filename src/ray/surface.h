@@ -13,8 +13,8 @@ struct DressWishes {
   bool normal = false, position = false, value = false;
 };
 
-/// World-space position, unit normal (turned against the ray) and the value of the field in the user's units; only what was
-/// wished is written. The normal is zero where the gradient vanishes.
+/// World-space position, unit normal (turned against the ray) and the value of the field in the user's units;
+/// only what was wished is written. The normal is zero where the gradient vanishes.
 struct alignas(64) DressedHits {
   double position[3][kStreamSize];
   double normal[3][kStreamSize];
@@ -32,18 +32,20 @@ class Surface {
   /// False when no primary ray of the tile can hit.
   [[nodiscard]] virtual bool narrow(const TileFrustum& tile) const { return tile.may_meet(bounds()); }
 
-  /// For every ray the first hit in [t_min, t_max] that is nearer than the one `hits` already holds; other slots keep theirs.
+  /// For every ray the first hit in [t_min, t_max] that is nearer than the one `hits` already holds; other
+  /// slots keep theirs.
   virtual void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const = 0;
 
-  /// For every slot of `hits` that holds a hit of this object, the following crossing along the same ray, none lost or
-  /// repeated; +inf where there is none.
+  /// For every slot of `hits` that holds a hit of this object, the following crossing along the same ray,
+  /// none lost or repeated; +inf where there is none.
   virtual void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const = 0;
 
   /// True where anything is hit. By default the first hit.
   virtual void any_hit(const RayStream& rays, bool (&hit)[kStreamSize], TraceCounts& counts) const;
 
   /// Position, normal and value at the hits of this object.
-  virtual void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes, DressedHits& dressed) const = 0;
+  virtual void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
+                     DressedHits& dressed) const = 0;
 };
 
 }  // namespace isocast

@@ -5,7 +5,8 @@
 
 namespace isocast {
 
-/// Plane i holds the points p with dot(normal[i], p) >= offset[i]; all points of the tile's rays with t >= 0 satisfy the four.
+/// Plane i holds the points p with dot(normal[i], p) >= offset[i]; all points of the tile's rays with t >= 0
+/// satisfy the four.
 struct TileFrustum {
   Double3 normal[4];
   double offset[4];

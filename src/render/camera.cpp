@@ -1,7 +1,6 @@
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/render/camera.h>
-
-#include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
@@ -16,9 +15,11 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 Camera frame(const Box& box, const CameraWishes& wishes, double aspect) {
   const double fov = wishes.fov.value_or(45);
-  if (!(fov > 0 && fov < 180)) throw InputError(fmt::format("--fov {}: expected degrees between 0 and 180", fov));
+  if (!(fov > 0 && fov < 180))
+    throw InputError(fmt::format("--fov {}: expected degrees between 0 and 180", fov));
   if (wishes.ortho_height && !(*wishes.ortho_height > 0 && std::isfinite(*wishes.ortho_height)))
-    throw InputError(fmt::format("--ortho {}: expected a positive height in world units", *wishes.ortho_height));
+    throw InputError(
+        fmt::format("--ortho {}: expected a positive height in world units", *wishes.ortho_height));
   Camera camera;
   camera.fov = fov;
   camera.ortho_height = wishes.ortho_height;
@@ -34,16 +35,21 @@ Camera frame(const Box& box, const CameraWishes& wishes, double aspect) {
   if (!finite(camera.position) || !finite(camera.target) || !finite(camera.up))
     throw InputError("the camera's position, target and up must be finite numbers");
   const Double3 forward = normalized(camera.target - camera.position);
-  if (length(forward) == 0) throw InputError("the camera's position and target are the same point: there is no direction to look in");
+  if (length(forward) == 0)
+    throw InputError("the camera's position and target are the same point: there is no direction to look in");
   if (!(length(cross(forward, normalized(camera.up))) > 1e-9)) {
-    if (wishes.up) throw InputError("the camera's up vector points along its view: there is no upper side of the picture");
+    if (wishes.up)
+      throw InputError("the camera's up vector points along its view: there is no upper side of the picture");
     camera.up = {0, 1, 0};
   }
   return camera;
 }
 
 View::View(const Camera& camera, int width, int height)
-    : width_(width), height_(height), orthographic_(camera.ortho_height.has_value()), eye_(camera.position),
+    : width_(width),
+      height_(height),
+      orthographic_(camera.ortho_height.has_value()),
+      eye_(camera.position),
       forward_(normalized(camera.target - camera.position)) {
   const double picture_height = orthographic_ ? *camera.ortho_height : 2 * std::tan(radians(camera.fov) / 2);
   const double pixel = picture_height / height;
@@ -93,7 +99,8 @@ void View::fill(int tx, int ty, double offset_u, double offset_v, RayStream& ray
 TileFrustum View::frustum(int tx, int ty) const {
   const double u0 = tx * kTileSize, v0 = ty * kTileSize;
   const double u1 = std::min<double>(u0 + kTileSize, width_), v1 = std::min<double>(v0 + kTileSize, height_);
-  const Double3 corners[4] = {image_point(u0, v0), image_point(u1, v0), image_point(u1, v1), image_point(u0, v1)};
+  const Double3 corners[4] = {image_point(u0, v0), image_point(u1, v0), image_point(u1, v1),
+                              image_point(u0, v1)};
   const Double3 inside = image_point(0.5 * (u0 + u1), 0.5 * (v0 + v1));
   TileFrustum tile;
   for (int i = 0; i < 4; ++i) {

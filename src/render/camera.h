@@ -9,8 +9,8 @@
 
 namespace isocast {
 
-/// World space, right-handed; fov is the vertical angle in degrees, ortho_height (when set) the height of the picture in world
-/// units of an orthographic camera.
+/// World space, right-handed; fov is the vertical angle in degrees, ortho_height (when set) the height of the
+/// picture in world units of an orthographic camera.
 struct Camera {
   Double3 position, target, up;
   double fov = 45;
@@ -23,9 +23,9 @@ struct CameraWishes {
   std::optional<double> fov, ortho_height;
 };
 
-/// A camera that shows the whole box: target its centre, at a distance that fits its bounding sphere, seen obliquely from the
-/// front (-y) and above (+z), with up = z. Throws InputError when the wishes leave no direction (position = target, up along
-/// the view, fov outside (0, 180), no finite numbers).
+/// A camera that shows the whole box: target its centre, at a distance that fits its bounding sphere, seen
+/// obliquely from the front (-y) and above (+z), with up = z. Throws InputError when the wishes leave no
+/// direction (position = target, up along the view, fov outside (0, 180), no finite numbers).
 [[nodiscard]] Camera frame(const Box& box, const CameraWishes& wishes, double aspect);
 
 /// Pixels per side of a tile: one stream.
@@ -41,8 +41,9 @@ class View {
   /// Unit vector from the camera into the scene.
   [[nodiscard]] const Double3& forward() const { return forward_; }
 
-  /// Rays of tile (tx, ty) through (x + offset_u, y + offset_v) of each pixel (0.5: the centre), first row on top, in packets
-  /// of 4x4 pixels; slots outside the picture are empty. Directions have unit length, t_min is 0. id is x + y * width.
+  /// Rays of tile (tx, ty) through (x + offset_u, y + offset_v) of each pixel (0.5: the centre), first row on
+  /// top, in packets of 4x4 pixels; slots outside the picture are empty. Directions have unit length, t_min
+  /// is 0. id is x + y * width.
   void fill(int tx, int ty, double offset_u, double offset_v, RayStream& rays) const;
 
   /// The solid that holds the tile's primary rays.

@@ -1,6 +1,5 @@
-#include <isocast/render/features.h>
-
 #include <fmt/format.h>
+#include <isocast/render/features.h>
 
 namespace isocast {
 
@@ -8,10 +7,13 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
   Features f;
   f.shade = settings.colors;
   f.shadows = settings.colors && scene.shadows && scene.light.has_value();
-  f.first_sample = {settings.colors || film.has(Layer::normal), f.shadows || film.has(Layer::position), film.has(Layer::value)};
+  f.first_sample = {settings.colors || film.has(Layer::normal), f.shadows || film.has(Layer::position),
+                    film.has(Layer::value)};
   f.other_samples = {settings.colors, f.shadows, false};
 
-  const auto list = [&](bool needed, std::string name) { (needed ? f.used : f.left_out).push_back(std::move(name)); };
+  const auto list = [&](bool needed, std::string name) {
+    (needed ? f.used : f.left_out).push_back(std::move(name));
+  };
   list(f.shade, "shading");
   list(f.shadows, "shadows");
   list(f.first_sample.normal, "normals");

@@ -17,7 +17,8 @@ struct RenderSettings {
 
 struct Features {
   bool shade = false, shadows = false;
-  DressWishes first_sample, other_samples;  // what the hits of the first sample of a pixel must offer, and of the others
+  DressWishes first_sample,
+      other_samples;  // what the hits of the first sample of a pixel must offer, and of the others
   std::vector<std::string> used, left_out;  // for --stats
 };
 

@@ -18,9 +18,10 @@ inline constexpr int kLayerCount = 8;
 /// Throws InputError for an unknown name, listing those that exist.
 [[nodiscard]] Layer layer_from_name(std::string_view name);
 
-/// Row-major, first row on top, float. Colour is linear RGBA, composited over the background (alpha 1 where something was hit).
-/// Where a ray hits nothing: depth and z are +inf, the other layers 0. id is 1 + the number of the iso-value, counted over all
-/// objects; depth is the distance along the ray, z along the view axis, both in world units.
+/// Row-major, first row on top, float. Colour is linear RGBA, composited over the background (alpha 1 where
+/// something was hit). Where a ray hits nothing: depth and z are +inf, the other layers 0. id is 1 + the
+/// number of the iso-value, counted over all objects; depth is the distance along the ray, z along the view
+/// axis, both in world units.
 class Film {
  public:
   Film(int width, int height, const std::vector<Layer>& layers);
@@ -34,7 +35,9 @@ class Film {
     return &layers_[static_cast<int>(layer)][std::size_t(id) * channels_of(layer)];
   }
   [[nodiscard]] const std::vector<float>& color() const { return color_; }
-  [[nodiscard]] const std::vector<float>& layer(Layer layer) const { return layers_[static_cast<int>(layer)]; }
+  [[nodiscard]] const std::vector<float>& layer(Layer layer) const {
+    return layers_[static_cast<int>(layer)];
+  }
 
  private:
   int width_, height_;

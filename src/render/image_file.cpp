@@ -1,11 +1,10 @@
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/base/mapped_file.h>
 #include <isocast/base/module.h>
 #include <isocast/base/output_file.h>
 #include <isocast/render/image_file.h>
 #include <isocast/render/image_module.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,9 @@
 // The module `image`: the only code that knows OpenImageIO.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
 #include <isocast/base/error.h>
 #include <isocast/base/module.h>
 #include <isocast/render/image_module.h>
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 #include <isocast/base/error.h>
 #include <isocast/render/render.h>
 #include <isocast/render/shade.h>
-
 #include <oneapi/tbb/combinable.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -34,14 +33,16 @@ bool is_hit(const HitStream& hits, int i) { return hits.t[i] < std::numeric_limi
 bool is_ray(const RayStream& rays, int i) { return rays.t_min[i] <= rays.t_max[i]; }
 Double3 direction(const RayStream& rays, int i) { return {rays.dx[i], rays.dy[i], rays.dz[i]}; }
 
-// Offset of sample `index` in its pixel: the centre, then the plastic-number sequence around it (Roberts 2018).
+// Offset of sample `index` in its pixel: the centre, then the plastic-number sequence around it (Roberts
+// 2018).
 void sample_offset(int index, double& u, double& v) {
   const auto fraction = [](double x) { return x - std::floor(x); };
   u = fraction(0.5 + index * 0.7548776662466927);
   v = fraction(0.5 + index * 0.5698402909980532);
 }
 
-// Spawns the shadow stream: from the near end of each hit's bracket towards the light, where the surface faces it.
+// Spawns the shadow stream: from the near end of each hit's bracket towards the light, where the surface
+// faces it.
 void fill_shadow_rays(const Double3& to_light, TileBuffers& b) {
   int n = 0;
   for (int i = 0; i < b.rays.size; ++i) {
@@ -69,7 +70,8 @@ void trace_shadows(const Frame& frame, const Double3& to_light, TileBuffers& b, 
   fill_shadow_rays(to_light, b);
   if (b.shadow_rays.size == 0) return;
   bool blocked[kStreamSize] = {};
-  for (const SceneObject& object : frame.scene.objects) object.surface->any_hit(b.shadow_rays, blocked, counts.trace);
+  for (const SceneObject& object : frame.scene.objects)
+    object.surface->any_hit(b.shadow_rays, blocked, counts.trace);
   for (int n = 0; n < b.shadow_rays.size; ++n) b.shadowed[b.shadow_of[n]] = blocked[n];
   counts.shadow += b.shadow_rays.size;
 }
@@ -77,7 +79,8 @@ void trace_shadows(const Frame& frame, const Double3& to_light, TileBuffers& b, 
 // Adds a sample's share of colour to every pixel of the tile.
 void add_colors(const Frame& frame, TileBuffers& b, Film& film) {
   const float share = 1.0f / static_cast<float>(frame.settings.spp);
-  const std::optional<Double3> light = frame.scene.light ? std::optional(normalized(*frame.scene.light)) : std::nullopt;
+  const std::optional<Double3> light =
+      frame.scene.light ? std::optional(normalized(*frame.scene.light)) : std::nullopt;
   for (int i = 0; i < b.rays.size; ++i) {
     if (!is_ray(b.rays, i)) continue;
     Color color = frame.scene.background;
@@ -86,7 +89,8 @@ void add_colors(const Frame& frame, TileBuffers& b, Film& film) {
       const Double3 to_eye = -1.0 * normalized(direction(b.rays, i));
       const Double3 normal = {b.dressed.normal[0][i], b.dressed.normal[1][i], b.dressed.normal[2][i]};
       const Color& surface = frame.scene.objects[b.hits.object[i]].colors[b.hits.iso[i]];
-      color = shade(surface, normal, light.value_or(to_eye), to_eye, !(frame.features.shadows && b.shadowed[i]));
+      color =
+          shade(surface, normal, light.value_or(to_eye), to_eye, !(frame.features.shadows && b.shadowed[i]));
     }
     float* pixel = film.color(b.rays.id[i]);
     for (int c = 0; c < 3; ++c) pixel[c] += share * color[c];
@@ -108,12 +112,15 @@ void write_layers(const Frame& frame, const TileBuffers& b, Film& film, RenderCo
     counts.undecided += b.hits.certificate[i] == Certificate::undecided;
     const Double3 d = direction(b.rays, i);
     if (film.has(Layer::depth)) *film.at(Layer::depth, id) = static_cast<float>(b.hits.t[i] * length(d));
-    if (film.has(Layer::z)) *film.at(Layer::z, id) = static_cast<float>(b.hits.t[i] * dot(d, frame.view.forward()));
-    if (film.has(Layer::id)) *film.at(Layer::id, id) = static_cast<float>(1 + frame.first_id[b.hits.object[i]] + b.hits.iso[i]);
+    if (film.has(Layer::z))
+      *film.at(Layer::z, id) = static_cast<float>(b.hits.t[i] * dot(d, frame.view.forward()));
+    if (film.has(Layer::id))
+      *film.at(Layer::id, id) = static_cast<float>(1 + frame.first_id[b.hits.object[i]] + b.hits.iso[i]);
     if (film.has(Layer::value)) *film.at(Layer::value, id) = static_cast<float>(b.dressed.value[i]);
     for (int c = 0; c < 3; ++c) {
       if (film.has(Layer::normal)) film.at(Layer::normal, id)[c] = static_cast<float>(b.dressed.normal[c][i]);
-      if (film.has(Layer::position)) film.at(Layer::position, id)[c] = static_cast<float>(b.dressed.position[c][i]);
+      if (film.has(Layer::position))
+        film.at(Layer::position, id)[c] = static_cast<float>(b.dressed.position[c][i]);
     }
   }
 }
@@ -163,7 +170,8 @@ std::int64_t tile_count(const View& view) {
   return tiles(view.width()) * tiles(view.height());
 }
 
-RenderCounts render(const Scene& scene, const View& view, const RenderSettings& settings, Film& film, std::stop_token stop, Progress* progress) {
+RenderCounts render(const Scene& scene, const View& view, const RenderSettings& settings, Film& film,
+                    std::stop_token stop, Progress* progress) {
   const Features features = find_features(scene, film, settings);
   Frame frame{scene, view, settings, features, {}};
   for (int ids = 0; const SceneObject& object : scene.objects) {
@@ -180,7 +188,8 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
   oneapi::tbb::parallel_for(std::int64_t(0), tile_count(view), [&](std::int64_t tile) {
     if (stop.stop_requested()) return;
     Worker& worker = workers.local();
-    render_tile(frame, static_cast<int>(tile % columns), static_cast<int>(tile / columns), *worker.buffers, film, worker.counts);
+    render_tile(frame, static_cast<int>(tile % columns), static_cast<int>(tile / columns), *worker.buffers,
+                film, worker.counts);
     if (progress) progress->add();
   });
   if (stop.stop_requested()) throw Interrupted();

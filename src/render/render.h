@@ -21,10 +21,11 @@ struct RenderCounts {
   RenderCounts& operator+=(const RenderCounts& other);
 };
 
-/// Renders tile by tile on TBB's threads. The film's bytes do not depend on the number of threads or the order of tiles.
-/// Throws Interrupted when `stop` is requested; the film is then incomplete. progress may be null; it counts tiles.
-RenderCounts render(const Scene& scene, const View& view, const RenderSettings& settings, Film& film, std::stop_token stop = {},
-                    Progress* progress = nullptr);
+/// Renders tile by tile on TBB's threads. The film's bytes do not depend on the number of threads or the
+/// order of tiles. Throws Interrupted when `stop` is requested; the film is then incomplete. progress may be
+/// null; it counts tiles.
+RenderCounts render(const Scene& scene, const View& view, const RenderSettings& settings, Film& film,
+                    std::stop_token stop = {}, Progress* progress = nullptr);
 
 /// Number of tiles of a view, for Progress.
 [[nodiscard]] std::int64_t tile_count(const View& view);

@@ -4,14 +4,13 @@
 #include <isocast/apps/bench/pareto.h>
 #include <isocast/apps/bench/timing.h>
 #include <isocast/base/error.h>
-
-#include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
+#include <unistd.h>
 #include <volume/cell/diagonal_cell.h>
 
+#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
-#include <unistd.h>
+#include <nlohmann/json.hpp>
 
 using namespace isocast;
 using namespace isocast::bench;

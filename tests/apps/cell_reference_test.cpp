@@ -1,10 +1,9 @@
 // The reference itself, against cells whose roots are known in closed form.
 #include <isocast/apps/bench/cell_families.h>
 #include <isocast/apps/reference/cell_reference.h>
-
-#include <catch2/catch.hpp>
 #include <volume/cell/diagonal_cell.h>
 
+#include <catch2/catch.hpp>
 #include <cmath>
 
 using namespace isocast;

@@ -3,12 +3,11 @@
 #include <isocast/data_gen/test_volumes.h>
 #include <isocast/data_gen/write.h>
 #include <isocast/implicit/expression/parse.h>
-
-#include <catch2/catch.hpp>
 #include <oneapi/tbb/global_control.h>
 #include <temporary_folder.h>
 
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <fstream>

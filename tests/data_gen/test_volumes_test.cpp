@@ -2,9 +2,8 @@
 #include <isocast/data_gen/hash.h>
 #include <isocast/data_gen/test_volumes.h>
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <vector>

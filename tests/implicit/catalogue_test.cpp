@@ -1,16 +1,15 @@
 // Every surface of the catalogue, and closed forms for some.
-#include "evaluate_text.h"
-
 #include <isocast/implicit/expression/catalogue.h>
 
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <functional>
 #include <map>
 #include <random>
 #include <set>
 #include <utility>
+
+#include "evaluate_text.h"
 
 using namespace isocast;
 using namespace isocast::test;

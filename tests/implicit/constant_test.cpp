@@ -2,7 +2,6 @@
 #include <isocast/implicit/expression/constant.h>
 
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <limits>
 

@@ -1,13 +1,13 @@
 // Every operation against the standard library, one at a time and in blocks.
-#include "evaluate_text.h"
-
-#include <catch2/catch.hpp>
 #include <test_size.h>
 
 #include <algorithm>
 #include <bit>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+
+#include "evaluate_text.h"
 
 using namespace isocast;
 using namespace isocast::test;

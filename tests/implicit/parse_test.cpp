@@ -1,9 +1,8 @@
 // The grammar, and what it says about text that is no formula.
-#include "evaluate_text.h"
-
 #include <catch2/catch.hpp>
-
 #include <numbers>
+
+#include "evaluate_text.h"
 
 using namespace isocast;
 using namespace isocast::test;

@@ -1,13 +1,12 @@
 // What is rewritten, what is left alone, and the tape that comes of it.
-#include "evaluate_text.h"
-
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <bit>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
+
+#include "evaluate_text.h"
 
 using namespace isocast;
 using namespace isocast::test;

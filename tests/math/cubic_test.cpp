@@ -2,9 +2,8 @@
 #include <isocast/apps/bench/random.h>
 #include <isocast/math/cubic.h>
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 
 using namespace isocast;

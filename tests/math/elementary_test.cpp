@@ -1,10 +1,9 @@
 // Transcendental functions against MPFR: within 1 ulp.
 #include <isocast/apps/bench/random.h>
 #include <isocast/math/elementary.h>
-
-#include <catch2/catch.hpp>
 #include <mpfr.h>
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 

@@ -2,10 +2,18 @@
 
 namespace isocast {
 
-namespace scalar { extern const test::PackOperations pack_operation_table; }
-namespace sse4 { extern const test::PackOperations pack_operation_table; }
-namespace avx2 { extern const test::PackOperations pack_operation_table; }
-namespace avx512 { extern const test::PackOperations pack_operation_table; }
+namespace scalar {
+extern const test::PackOperations pack_operation_table;
+}
+namespace sse4 {
+extern const test::PackOperations pack_operation_table;
+}
+namespace avx2 {
+extern const test::PackOperations pack_operation_table;
+}
+namespace avx512 {
+extern const test::PackOperations pack_operation_table;
+}
 
 const test::PackOperations& test::pack_operations(Isa isa) {
   static const PackOperations* const tables[kIsaCount] = {

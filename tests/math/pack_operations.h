@@ -8,9 +8,37 @@
 namespace isocast::test {
 
 enum class Operation {
-  add, subtract, multiply, divide, negate, minimum, maximum, absolute, square_root, multiply_add, lerp, clamp,
-  copy_sign, inverse_power, select_less, less, less_equal, greater, greater_equal, equal, not_equal, sign,
-  mask_and, mask_or, mask_xor, mask_equal, mask_not, mask_select, cosine, arc_cosine, cube_root
+  add,
+  subtract,
+  multiply,
+  divide,
+  negate,
+  minimum,
+  maximum,
+  absolute,
+  square_root,
+  multiply_add,
+  lerp,
+  clamp,
+  copy_sign,
+  inverse_power,
+  select_less,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  equal,
+  not_equal,
+  sign,
+  mask_and,
+  mask_or,
+  mask_xor,
+  mask_equal,
+  mask_not,
+  mask_select,
+  cosine,
+  arc_cosine,
+  cube_root
 };
 inline constexpr int kOperationCount = 31;
 inline constexpr int kLanes = 16;

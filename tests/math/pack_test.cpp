@@ -1,9 +1,8 @@
 // One instruction set (PACK_TEST_ISA) against the scalar: every operation gives the same bits.
 #include <isocast/apps/bench/random.h>
-
-#include <catch2/catch.hpp>
 #include <math/pack_operations.h>
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <iostream>
@@ -44,15 +43,24 @@ std::uint32_t lanes_of(const PackOperations& set, const double* a, const double*
 // Ordinary numbers, and one in four at an end of what there is.
 template <class T> T any_number(bench::Random& random) {
   using Limits = std::numeric_limits<T>;
-  const T special[] = {0, -T(0), 1, -1, Limits::infinity(), -Limits::infinity(), Limits::max(), Limits::min(),
-                       Limits::denorm_min(), -Limits::denorm_min(), Limits::epsilon(), Limits::quiet_NaN()};
+  const T special[] = {0,
+                       -T(0),
+                       1,
+                       -1,
+                       Limits::infinity(),
+                       -Limits::infinity(),
+                       Limits::max(),
+                       Limits::min(),
+                       Limits::denorm_min(),
+                       -Limits::denorm_min(),
+                       Limits::epsilon(),
+                       Limits::quiet_NaN()};
   if (random.below(4) == 0) return special[random.below(12)];
   return static_cast<T>(random.sign() * std::exp2(random.uniform(-30, 30)));
 }
 
 // Bits, but for what a NaN carries.
-template <class T>
-bool same(T a, T b) {
+template <class T> bool same(T a, T b) {
   return (std::isnan(a) && std::isnan(b)) || std::memcmp(&a, &b, sizeof a) == 0;
 }
 

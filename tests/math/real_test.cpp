@@ -3,7 +3,6 @@
 #include <isocast/math/real.h>
 
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <limits>
 

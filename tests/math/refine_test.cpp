@@ -2,7 +2,6 @@
 #include <isocast/math/refine.h>
 
 #include <catch2/catch.hpp>
-
 #include <cmath>
 
 using namespace isocast;
@@ -53,19 +52,23 @@ TEST_CASE("bracketed Newton: within two tolerances, in a bracket of three, howev
   // a root next to the entry, where the chord starts far away: every step but the last is a halving
   for (const double root : {1e-7, 1e-9, 1e-12}) {
     const auto f = [=](double s) { return s < root ? (s - root) * 1e-20 : s - root; };
-    check(f, [=](double s) { return s < root ? 1e-20 : 1.0; }, root);
+    check(
+        f, [=](double s) { return s < root ? 1e-20 : 1.0; }, root);
     const auto steep = [=](double s) { return s * s * s * 1e30 - root * root * root * 1e30; };
-    check(steep, [](double s) { return 3e30 * s * s; }, root);
+    check(
+        steep, [](double s) { return 3e30 * s * s; }, root);
   }
   // a triple root: Newton's steps shrink by a third only
   const auto cubed = [](double s) { return (s - 0.4) * (s - 0.4) * (s - 0.4); };
-  check(cubed, [](double s) { return 3 * (s - 0.4) * (s - 0.4); }, 0.4);
+  check(
+      cubed, [](double s) { return 3 * (s - 0.4) * (s - 0.4); }, 0.4);
 }
 
 TEST_CASE("a lane outside `active` keeps its bracket") {
   const auto f = [](double s) { return s - 0.3; };
   Bracket<double> b = bracket_of(f);
-  newton_bracketed(f, [](double) { return 1.0; }, b, 1e-12, false);
+  newton_bracketed(
+      f, [](double) { return 1.0; }, b, 1e-12, false);
   CHECK(b.lo == 0);
   CHECK(b.hi == 1);
 }

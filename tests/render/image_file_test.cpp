@@ -1,9 +1,8 @@
+#include <OpenImageIO/imageio.h>
 #include <input_error.h>
 #include <isocast/base/output_file.h>
 #include <isocast/render/image_file.h>
 #include <temporary_folder.h>
-
-#include <OpenImageIO/imageio.h>
 
 #include <cmath>
 #include <cstdint>

@@ -1,34 +1,39 @@
 // The renderer: the same bytes always, depths and normals that are right, only what is needed.
-#include "../volume/make_volume.h"
-
 #include <isocast/base/error.h>
 #include <isocast/render/render.h>
-
-#include <catch2/catch.hpp>
 #include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <limits>
 #include <thread>
 
+#include "../volume/make_volume.h"
+
 using namespace isocast;
 using namespace isocast::test;
 
 namespace {
 
-const std::vector<Layer> kAll = {Layer::depth, Layer::z, Layer::normal, Layer::position, Layer::id, Layer::value, Layer::cost};
+const std::vector<Layer> kAll = {Layer::depth, Layer::z,     Layer::normal, Layer::position,
+                                 Layer::id,    Layer::value, Layer::cost};
 
 // Signed distance to a sphere of radius 11.3 about the centre of 32^3 samples.
 constexpr std::int64_t kN = 32;
 constexpr double kCentre = 15.5, kRadius = 11.3;
 double sphere(std::int64_t i, std::int64_t j, std::int64_t k) {
-  return std::sqrt(std::pow(double(i) - kCentre, 2) + std::pow(double(j) - kCentre, 2) + std::pow(double(k) - kCentre, 2)) - kRadius;
+  return std::sqrt(std::pow(double(i) - kCentre, 2) + std::pow(double(j) - kCentre, 2) +
+                   std::pow(double(k) - kCentre, 2)) -
+         kRadius;
 }
 double tangle(std::int64_t i, std::int64_t j, std::int64_t k) {
-  const auto f = [](std::int64_t n) { const double x = double(n) / 31 * 5 - 2.5; return x * x * (x * x - 5); };
+  const auto f = [](std::int64_t n) {
+    const double x = double(n) / 31 * 5 - 2.5;
+    return x * x * (x * x - 5);
+  };
   return f(i) + f(j) + f(k) + 11.8;
 }
 
@@ -52,7 +57,8 @@ bool same(const Film& a, const Film& b) {
     return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(float)) == 0;
   };
   bool all = equal(a.color(), b.color());
-  for (int i = 0; i < kLayerCount; ++i) all = all && equal(a.layer(static_cast<Layer>(i)), b.layer(static_cast<Layer>(i)));
+  for (int i = 0; i < kLayerCount; ++i)
+    all = all && equal(a.layer(static_cast<Layer>(i)), b.layer(static_cast<Layer>(i)));
   return all;
 }
 
@@ -74,7 +80,8 @@ TEST_CASE("the same bytes for every number of threads and every instruction set"
     options.isa = isa;
     s.surface->set_options(options);
     for (const int threads : {1, 2, 7}) {
-      const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+      const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
+                                              static_cast<std::size_t>(threads));
       Film film(97, 75, kAll);
       render(s.scene, view, settings, film);
       INFO(name_of(isa) << ", " << threads << " threads");
@@ -102,7 +109,8 @@ TEST_CASE("depth, normal, position and z of a sphere are those of the sphere") {
         view.fill(tx, ty, 0.5, 0.5, rays);
         for (int i = 0; i < rays.size; ++i) {
           if (rays.t_min[i] > rays.t_max[i]) continue;
-          const Double3 o = Double3{rays.ox[i], rays.oy[i], rays.oz[i]} - Double3{kCentre, kCentre, kCentre}, d = {rays.dx[i], rays.dy[i], rays.dz[i]};
+          const Double3 o = Double3{rays.ox[i], rays.oy[i], rays.oz[i]} - Double3{kCentre, kCentre, kCentre},
+                        d = {rays.dx[i], rays.dy[i], rays.dz[i]};
           const double b = dot(o, d), c = dot(o, o) - kRadius * kRadius, disc = b * b - c;
           const std::uint32_t id = rays.id[i];
           const float depth = *film.at(Layer::depth, id);
@@ -121,7 +129,9 @@ TEST_CASE("depth, normal, position and z of a sphere are those of the sphere") {
         }
       }
     CHECK(wrong == 0);
-    CHECK(worst < 2 / (kRadius - 1) / 8);  // along the normal: h^2/8 times the largest Laplacian in the cells it crosses, h = 1
+    CHECK(worst <
+          2 / (kRadius - 1) /
+              8);  // along the normal: h^2/8 times the largest Laplacian in the cells it crosses, h = 1
   }
 }
 
@@ -151,10 +161,13 @@ TEST_CASE("a convex body casts no shadow on itself, a second one does") {
 TEST_CASE("nothing is computed that neither shading nor a layer asks for") {
   const Setup s = make_scene(sphere, surface_options(0));
   RenderSettings settings;
-  const auto has = [](const std::vector<std::string>& list, const char* name) { return std::ranges::find(list, name) != list.end(); };
+  const auto has = [](const std::vector<std::string>& list, const char* name) {
+    return std::ranges::find(list, name) != list.end();
+  };
   settings.colors = false;
   const Features depth_only = find_features(s.scene, Film(4, 4, {Layer::depth}), settings);
-  CHECK_FALSE((depth_only.first_sample.normal || depth_only.first_sample.position || depth_only.first_sample.value));
+  CHECK_FALSE(
+      (depth_only.first_sample.normal || depth_only.first_sample.position || depth_only.first_sample.value));
   CHECK(has(depth_only.left_out, "normals"));
   CHECK(has(depth_only.left_out, "positions"));
   CHECK(has(depth_only.left_out, "shading"));
@@ -198,7 +211,8 @@ TEST_CASE("cameras that cannot look are refused") {
   CHECK_THROWS_WITH(frame(box, wishes, 1), Catch::Contains("finite"));
 }
 
-// Depth (one float) and normal (three) of 64 x 64 pixels, little-endian; written anew where ISOCAST_UPDATE_GOLDEN is set.
+// Depth (one float) and normal (three) of 64 x 64 pixels, little-endian; written anew where
+// ISOCAST_UPDATE_GOLDEN is set.
 TEST_CASE("depth and normal of the tangle are those of the golden picture") {
   const Setup s = make_scene(tangle, surface_options(0));
   Film film(64, 64, {Layer::depth, Layer::normal});
@@ -207,14 +221,16 @@ TEST_CASE("depth and normal of the tangle are those of the golden picture") {
   picture.insert(picture.end(), film.layer(Layer::normal).begin(), film.layer(Layer::normal).end());
   const std::string path = std::string(GOLDEN_DIR) + "/tangle_depth_normal.raw";
   const auto bytes = static_cast<std::streamsize>(picture.size() * sizeof(float));
-  if (std::getenv("ISOCAST_UPDATE_GOLDEN")) std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(picture.data()), bytes);
+  if (std::getenv("ISOCAST_UPDATE_GOLDEN"))
+    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(picture.data()), bytes);
   std::vector<float> golden(picture.size());
   std::ifstream in(path, std::ios::binary);
   REQUIRE(in.read(reinterpret_cast<char*>(golden.data()), bytes));
   std::size_t different = 0;
   for (std::size_t i = 0; i < golden.size(); ++i) {
     const bool both_far = std::isinf(golden[i]) && std::isinf(picture[i]);
-    different += !both_far && !(std::abs(golden[i] - picture[i]) <= 1e-5f * std::max(1.0f, std::abs(golden[i])));
+    different +=
+        !both_far && !(std::abs(golden[i] - picture[i]) <= 1e-5f * std::max(1.0f, std::abs(golden[i])));
   }
   CHECK(different == 0);
 }

@@ -13,8 +13,9 @@
 namespace isocast::test {
 
 /// f(i, j, k) at every sample, converted to `type` (f16 from its bits is not made here).
-inline std::shared_ptr<Volume> make_volume(std::array<std::int64_t, 3> dims, SampleType type,
-                                           const std::function<double(std::int64_t, std::int64_t, std::int64_t)>& f) {
+inline std::shared_ptr<Volume> make_volume(
+    std::array<std::int64_t, 3> dims, SampleType type,
+    const std::function<double(std::int64_t, std::int64_t, std::int64_t)>& f) {
   auto volume = std::make_shared<Volume>();
   volume->type = type;
   volume->dims = dims;
@@ -37,7 +38,8 @@ inline std::shared_ptr<Volume> make_volume(std::array<std::int64_t, 3> dims, Sam
 }
 
 /// One iso-value with a method's defaults.
-inline VolumeSurfaceOptions surface_options(double iso, Isa isa = widest_isa(), const char* method = "marmitt") {
+inline VolumeSurfaceOptions surface_options(double iso, Isa isa = widest_isa(),
+                                            const char* method = "marmitt") {
   VolumeSurfaceOptions options;
   options.iso = {iso};
   options.method = choose_cell_method(method, {});

@@ -40,7 +40,10 @@ inline Double3 awkward_direction(std::mt19937_64& random, const Double3& o) {
     Double3 d = {unit(random), unit(random), unit(random)};
     const int kind = pick(4);
     if (kind == 0) d = {double(pick(3) - 1), double(pick(3) - 1), double(pick(3) - 1)};
-    if (kind == 1) d = Double3{std::floor(o[0]) + pick(9) - 4, std::floor(o[1]) + pick(9) - 4, std::floor(o[2]) + pick(9) - 4} - o;
+    if (kind == 1)
+      d = Double3{std::floor(o[0]) + pick(9) - 4, std::floor(o[1]) + pick(9) - 4,
+                  std::floor(o[2]) + pick(9) - 4} -
+          o;
     if (kind == 2) d[pick(3)] *= 1e-7;
     if (length(d) > 0) return d;
   }

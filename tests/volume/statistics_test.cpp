@@ -2,7 +2,6 @@
 #include <isocast/volume/statistics.h>
 
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <limits>
 #include <numeric>

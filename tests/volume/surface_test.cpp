@@ -1,15 +1,15 @@
-// VolumeSurface: one answer whatever the instruction set, sample type or number of iso-values; all crossings in order.
-#include "make_volume.h"
-#include "rays.h"
-
+// VolumeSurface: one answer whatever the instruction set, sample type or number of iso-values; all crossings
+// in order.
 #include <isocast/base/error.h>
 #include <isocast/volume/cell/marmitt.h>
 #include <isocast/volume/traverse.h>
 
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <limits>
+
+#include "make_volume.h"
+#include "rays.h"
 
 using namespace isocast;
 using namespace isocast::test;
@@ -30,8 +30,10 @@ std::unique_ptr<Streams> awkward_streams(std::mt19937_64& random, double n) {
   while (s->rays.size < kStreamSize) {
     Double3 o = {around(random), around(random), around(random)};
     if (random() % 4 == 0) o = {std::floor(o[0]), std::floor(o[1]), std::floor(o[2])};
-    const Double3 target = {around(random) * 0.5 + 0.25 * n, around(random) * 0.5 + 0.25 * n, around(random) * 0.5 + 0.25 * n};
-    add_ray(s->rays, o, random() % 2 ? target - o : awkward_direction(random, o), random() % 8 ? std::numeric_limits<double>::infinity() : 1.5);
+    const Double3 target = {around(random) * 0.5 + 0.25 * n, around(random) * 0.5 + 0.25 * n,
+                            around(random) * 0.5 + 0.25 * n};
+    add_ray(s->rays, o, random() % 2 ? target - o : awkward_direction(random, o),
+            random() % 8 ? std::numeric_limits<double>::infinity() : 1.5);
   }
   return s;
 }
@@ -100,18 +102,24 @@ TEST_CASE("the sample type does not change the surface of small whole numbers") 
     VolumeSurfaceOptions options = surface_options(51.25);
     options.double_precision = precise;
     const VolumeSurface expected(bytes, options);
-    for (const SampleType type : {SampleType::i8, SampleType::u16, SampleType::i16, SampleType::u32, SampleType::i32,
-                                  SampleType::f32, SampleType::f64}) {
+    for (const SampleType type : {SampleType::i8, SampleType::u16, SampleType::i16, SampleType::u32,
+                                  SampleType::i32, SampleType::f32, SampleType::f64}) {
       const VolumeSurface surface(make_volume({18, 17, 20}, type, noise), options);
       const auto s = awkward_streams(random, 18);
       INFO(name_of(type));
       require_same(first_hits(expected, s->rays), first_hits(surface, s->rays), s->rays.size);
     }
     // f16 holds whole numbers up to 2048: their bits from those of the float
-    const VolumeSurface half(make_volume({18, 17, 20}, SampleType::f16, [](auto i, auto j, auto k) {
-      const float value = static_cast<float>(noise(i, j, k));
-      return value == 0 ? 0.0 : static_cast<double>((__builtin_bit_cast(std::uint32_t, value) >> 13) - (112u << 10));
-    }), options);
+    const VolumeSurface half(
+        make_volume({18, 17, 20}, SampleType::f16,
+                    [](auto i, auto j, auto k) {
+                      const float value = static_cast<float>(noise(i, j, k));
+                      return value == 0
+                                 ? 0.0
+                                 : static_cast<double>((__builtin_bit_cast(std::uint32_t, value) >> 13) -
+                                                       (112u << 10));
+                    }),
+        options);
     const auto s = awkward_streams(random, 18);
     require_same(first_hits(expected, s->rays), first_hits(half, s->rays), s->rays.size);
   }
@@ -131,7 +139,8 @@ TEST_CASE("the first hit is the first root over all cells, found without walk or
     const auto s = awkward_streams(random, n);
     const HitStream hits = first_hits(surface, s->rays);
     for (int i = 0; i < s->rays.size; ++i) {
-      const double o[3] = {s->rays.ox[i], s->rays.oy[i], s->rays.oz[i]}, d[3] = {s->rays.dx[i], s->rays.dy[i], s->rays.dz[i]};
+      const double o[3] = {s->rays.ox[i], s->rays.oy[i], s->rays.oz[i]},
+                   d[3] = {s->rays.dx[i], s->rays.dy[i], s->rays.dz[i]};
       double best = std::numeric_limits<double>::infinity();
       for (int c = 0; c < (n - 1) * (n - 1) * (n - 1); ++c) {
         const int cell[3] = {c % (n - 1), c / (n - 1) % (n - 1), c / ((n - 1) * (n - 1))};
@@ -147,7 +156,8 @@ TEST_CASE("the first hit is the first root over all cells, found without walk or
         }
         if (!(t0 < t1)) continue;
         Cell<double> q{};
-        for (int k = 0; k < 8; ++k) q.f[k] = noise(cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2)) - 60.5;
+        for (int k = 0; k < 8; ++k)
+          q.f[k] = noise(cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2)) - 60.5;
         const auto at = [&](double t, int a) { return std::clamp(o[a] + t * d[a] - cell[a], 0.0, 1.0); };
         q.entry = {at(t0, 0), at(t0, 1), at(t0, 2)};
         q.exit = {at(t1, 0), at(t1, 1), at(t1, 2)};
@@ -209,7 +219,8 @@ TEST_CASE("next_hit gives every crossing once, in order, for several iso-values 
   for (int round = 0; round < 20; ++round) {
     auto s = make_streams();
     while (s->rays.size < kStreamSize) {
-      const Double3 target = {1 + double(random() % 1000) * 0.011, 1 + double(random() % 1000) * 0.011, 1 + double(random() % 1000) * 0.011};
+      const Double3 target = {1 + double(random() % 1000) * 0.011, 1 + double(random() % 1000) * 0.011,
+                              1 + double(random() % 1000) * 0.011};
       Double3 d = awkward_direction(random, target);
       add_ray(s->rays, target - (40 / length(d)) * d, d);
     }
@@ -238,11 +249,16 @@ TEST_CASE("cells with a NaN or infinite corner are no cells") {
   });
   const VolumeSurface surface(volume, surface_options(0));
   auto s = make_streams();
-  add_ray(s->rays, {-1, 0.5, 0.5}, {1, 0, 0});   // cells (0..1, 0, 0) touch the NaN, cell (2, 0, 0) holds the surface
+  add_ray(s->rays, {-1, 0.5, 0.5},
+          {1, 0, 0});  // cells (0..1, 0, 0) touch the NaN, cell (2, 0, 0) holds the surface
   const HitStream hits = first_hits(surface, s->rays);
   REQUIRE(hits.t[0] == Approx(3.5));
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-    const VolumeSurface gone(make_volume({2, 2, 2}, SampleType::f32, [&](auto i, auto j, auto) { return i == 0 ? -1.0 : j == 0 ? bad : 1.0; }), surface_options(0));
+    const VolumeSurface gone(make_volume({2, 2, 2}, SampleType::f32,
+                                         [&](auto i, auto j, auto) {
+                                           return i == 0 ? -1.0 : j == 0 ? bad : 1.0;
+                                         }),
+                             surface_options(0));
     const HitStream none = first_hits(gone, s->rays);
     REQUIRE(std::isinf(none.t[0]));
   }
@@ -273,7 +289,8 @@ TEST_CASE("iso_key parts the samples as the sign of sample minus iso does") {
       const auto narrow = [&](double s) { return precise ? s - iso : double(float(s) - float(iso)); };
       for (const double s : {0.0, 3.0, 4.0, 127.0, 128.0}) check(SampleType::u8, s, narrow(s));
       for (const double s : {-2147483648.0, 0.0, 3.0, 4.0, 2147483647.0}) check(SampleType::i32, s, s - iso);
-      for (const float s : {0.0f, 0.1f, 3.25f, std::nextafter(3.25f, 0.0f), 1e-45f, 1e-40f, -1e30f}) check(SampleType::f32, s, narrow(s));
+      for (const float s : {0.0f, 0.1f, 3.25f, std::nextafter(3.25f, 0.0f), 1e-45f, 1e-40f, -1e30f})
+        check(SampleType::f32, s, narrow(s));
       for (const double s : {0.1, std::nextafter(0.1, 0.0), 3.25, 1e-320}) check(SampleType::f64, s, s - iso);
     }
 }
@@ -287,10 +304,14 @@ TEST_CASE("options that cannot be used are refused in one sentence") {
   CHECK_THROWS_WITH(VolumeSurface(volume, options), Catch::Contains("1 to 16"));
   options.iso = {std::nan("")};
   CHECK_THROWS_WITH(VolumeSurface(volume, options), Catch::Contains("no finite number"));
-  CHECK_THROWS_WITH(VolumeSurface(make_volume({4, 1, 4}, SampleType::u8, noise), surface_options(1)), Catch::Contains("4 x 1 x 4"));
-  CHECK_THROWS_WITH(choose_cell_method("marmit", {}), Catch::Contains("midpoint, linear, neubauer, schwarze, marmitt"));
-  CHECK_THROWS_WITH(choose_cell_method("linear", {{"iterations", "3"}}), Catch::Contains("has no option 'iterations'; it has: face"));
-  CHECK_THROWS_WITH(choose_cell_method("marmitt", {{"iterations", "2.5"}}), Catch::Contains("an integer between 1 and 100"));
+  CHECK_THROWS_WITH(VolumeSurface(make_volume({4, 1, 4}, SampleType::u8, noise), surface_options(1)),
+                    Catch::Contains("4 x 1 x 4"));
+  CHECK_THROWS_WITH(choose_cell_method("marmit", {}),
+                    Catch::Contains("midpoint, linear, neubauer, schwarze, marmitt"));
+  CHECK_THROWS_WITH(choose_cell_method("linear", {{"iterations", "3"}}),
+                    Catch::Contains("has no option 'iterations'; it has: face"));
+  CHECK_THROWS_WITH(choose_cell_method("marmitt", {{"iterations", "2.5"}}),
+                    Catch::Contains("an integer between 1 and 100"));
   CHECK(choose_cell_method("marmitt", {}).options.adaptive);
   CHECK_FALSE(choose_cell_method("marmitt", {{"iterations", "5"}}).options.adaptive);
 }

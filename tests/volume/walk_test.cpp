@@ -1,11 +1,10 @@
 // The walk visits every cell that the exact ray meets, in order, and its intervals chain bit for bit.
-#include <isocast/volume/traverse.h>
-
-#include <catch2/catch.hpp>
 #include <gmpxx.h>
+#include <isocast/volume/traverse.h>
 #include <test_size.h>
 
 #include <array>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -25,7 +24,8 @@ struct Visit {
   double t_in, t_out;
 };
 
-// Every cell by single steps, or only some blocks entered: `enter(level, block)` decides whether the walk goes into a block.
+// Every cell by single steps, or only some blocks entered: `enter(level, block)` decides whether the walk
+// goes into a block.
 template <class Enter>
 std::vector<Visit> walk_cells(const GridRay& ray, double t_min, double t_max, Enter enter) {
   std::vector<Visit> visits;
@@ -34,12 +34,12 @@ std::vector<Visit> walk_cells(const GridRay& ray, double t_min, double t_max, En
   for (;;) {
     bool found;
     if (walk.depth == kCells) {
-      found = walk_level(ray, walk, false, [&](const std::int32_t (&c)[3]) {
+      found = walk_level(ray, walk, false, [&](const std::int32_t(&c)[3]) {
         visits.push_back({{c[0], c[1], c[2]}, walk.t_in, 0});
         return false;
       });
     } else {
-      found = walk_level(ray, walk, false, [&](const std::int32_t (&b)[3]) { return enter(walk.depth, b); });
+      found = walk_level(ray, walk, false, [&](const std::int32_t(&b)[3]) { return enter(walk.depth, b); });
     }
     if (found) descend(ray, kShifts[walk.depth], kShifts[walk.depth + 1], walk);
     else if (!ascend(ray, walk)) break;
@@ -53,15 +53,15 @@ std::vector<Visit> walk_cells(const GridRay& ray, double t_min, double t_max, En
 }
 
 std::vector<Visit> walk_all(const GridRay& ray, double t_min, double t_max) {
-  return walk_cells(ray, t_min, t_max, [](int, const std::int32_t (&)[3]) { return true; });
+  return walk_cells(ray, t_min, t_max, [](int, const std::int32_t(&)[3]) { return true; });
 }
 
 // The open interval of t in which the exact ray is inside a cell, in rationals; empty: lo >= hi.
 struct ExactInterval {
   mpq_class lo, hi;
 };
-ExactInterval exact_interval(const std::array<double, 3>& o, const std::array<double, 3>& d, const std::array<std::int32_t, 3>& cell,
-                             double t_min, double t_max) {
+ExactInterval exact_interval(const std::array<double, 3>& o, const std::array<double, 3>& d,
+                             const std::array<std::int32_t, 3>& cell, double t_min, double t_max) {
   ExactInterval t{mpq_class(t_min), mpq_class(t_max)};
   for (int a = 0; a < 3; ++a) {
     const mpq_class oa(o[a]), da(d[a]);
@@ -82,7 +82,6 @@ struct TestRay {
   double t_max;
 };
 
-
 // Rays of every awkward kind at a grid of 21 x 18 x 6 samples.
 TestRay random_ray(std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1), sign(-1, 1);
@@ -96,7 +95,8 @@ TestRay random_ray(std::mt19937_64& random) {
   }
   const int place = pick(4);
   for (int a = 0; a < 3; ++a) {
-    ray.o[a] = place == 0 ? unit(random) * (kDims[a] - 1) : target[a] + sign(random) * (place == 3 ? 1e6 : 50);
+    ray.o[a] =
+        place == 0 ? unit(random) * (kDims[a] - 1) : target[a] + sign(random) * (place == 3 ? 1e6 : 50);
     if (pick(4) == 0) ray.o[a] = std::floor(ray.o[a]);
   }
   for (int a = 0; a < 3; ++a) {
@@ -106,7 +106,8 @@ TestRay random_ray(std::mt19937_64& random) {
     if (special == 1) ray.d[a] = std::copysign(1e-310, sign(random));
     if (special == 2) ray.d[a] = 1e-9 * sign(random);
   }
-  if (pick(6) == 0) ray.d = {double(pick(3) - 1), double(pick(3) - 1), double(pick(3) - 1)};  // edges and corners
+  if (pick(6) == 0)
+    ray.d = {double(pick(3) - 1), double(pick(3) - 1), double(pick(3) - 1)};  // edges and corners
   const double scales[] = {1e-6, 1, 1e6};
   const double scale = scales[pick(3)];
   for (double& x : ray.d) x *= scale;
@@ -159,8 +160,9 @@ TEST_CASE("the walk visits every cell that the exact ray meets longer than 4 ulp
           const double largest = std::max(std::abs(t.lo.get_d()), std::abs(t.hi.get_d()));
           if (t.hi - t.lo <= mpq_class(four_ulp(largest))) continue;
           ++met;
-          INFO("ray " << n << ": o " << ray.o[0] << " " << ray.o[1] << " " << ray.o[2] << " d " << ray.d[0] << " " << ray.d[1] << " "
-                      << ray.d[2] << " cell " << x << " " << y << " " << z << " t " << t.lo.get_d() << " " << t.hi.get_d());
+          INFO("ray " << n << ": o " << ray.o[0] << " " << ray.o[1] << " " << ray.o[2] << " d " << ray.d[0]
+                      << " " << ray.d[1] << " " << ray.d[2] << " cell " << x << " " << y << " " << z << " t "
+                      << t.lo.get_d() << " " << t.hi.get_d());
           REQUIRE(seen[static_cast<std::size_t>((z * 17 + y) * 20 + x)]);
         }
   }
@@ -173,13 +175,18 @@ TEST_CASE("leaping over blocks changes neither the cells nor the crossings of th
   for (std::int64_t n = 0, count = test::cases(20000, 1000000); n < count; ++n) {
     const TestRay ray = random_ray(random);
     const std::uint64_t salt = random();
-    const auto wanted = [&](int level, const std::int32_t (&b)[3]) {
-      return ((static_cast<std::uint64_t>(b[0] + 7 * b[1] + 49 * b[2] + 343 * level) * 0x9e3779b97f4a7c15u ^ salt) >> 33 & 3) != 0;
+    const auto wanted = [&](int level, const std::int32_t(&b)[3]) {
+      return ((static_cast<std::uint64_t>(b[0] + 7 * b[1] + 49 * b[2] + 343 * level) * 0x9e3779b97f4a7c15u ^
+               salt) >>
+                  33 &
+              3) != 0;
     };
-    const std::vector<Visit> all = walk_all(grid_ray(ray), 0, ray.t_max), some = walk_cells(grid_ray(ray), 0, ray.t_max, wanted);
+    const std::vector<Visit> all = walk_all(grid_ray(ray), 0, ray.t_max),
+                             some = walk_cells(grid_ray(ray), 0, ray.t_max, wanted);
     std::size_t k = 0;
     for (const Visit& v : all) {
-      const std::int32_t coarse[3] = {v.cell[0] >> 4, v.cell[1] >> 4, v.cell[2] >> 4}, fine[3] = {v.cell[0] >> 2, v.cell[1] >> 2, v.cell[2] >> 2};
+      const std::int32_t coarse[3] = {v.cell[0] >> 4, v.cell[1] >> 4, v.cell[2] >> 4},
+                         fine[3] = {v.cell[0] >> 2, v.cell[1] >> 2, v.cell[2] >> 2};
       if (!wanted(0, coarse) || !wanted(1, fine)) continue;
       REQUIRE(k < some.size());
       REQUIRE(some[k].cell == v.cell);
@@ -203,7 +210,7 @@ TEST_CASE("a walk resumed in a cell has the state of the walk that came there") 
       REQUIRE(walk.t_in == v.t_in);
       REQUIRE(walk.t_out() == v.t_out);
       // and goes on alike: leave the cell, reach the next
-      const bool stays = walk_level(grid, walk, true, [](const std::int32_t (&)[3]) { return true; });
+      const bool stays = walk_level(grid, walk, true, [](const std::int32_t(&)[3]) { return true; });
       if (stays) REQUIRE(walk.t_in == v.t_out);
     }
   }
@@ -213,8 +220,12 @@ TEST_CASE("rays that cannot meet the grid do not enter it") {
   const double nan = std::nan("");
   GridWalk walk;
   for (const auto& [o, d] : std::vector<std::pair<std::array<double, 3>, std::array<double, 3>>>{
-           {{nan, 1, 1}, {1, 0, 0}}, {{1, 1, 1}, {nan, nan, nan}}, {{-1, 1, 1}, {-1, 0, 0}}, {{-1, 30, 1}, {1, 0, 0}},
-           {{1e300, 1e300, 1e300}, {1, 1, 1}}, {{kInfinity, 1, 1}, {-1, 0, 0}}}) {
+           {{nan, 1, 1}, {1, 0, 0}},
+           {{1, 1, 1}, {nan, nan, nan}},
+           {{-1, 1, 1}, {-1, 0, 0}},
+           {{-1, 30, 1}, {1, 0, 0}},
+           {{1e300, 1e300, 1e300}, {1, 1, 1}},
+           {{kInfinity, 1, 1}, {-1, 0, 0}}}) {
     const double origin[3] = {o[0], o[1], o[2]}, direction[3] = {d[0], d[1], d[2]};
     const GridRay ray = make_grid_ray(origin, direction, kDims);
     INFO(o[0] << " " << d[0]);

@@ -1,14 +1,13 @@
 // No ray slips through a closed surface between cells (design.md, decision 5).
-#include "make_volume.h"
-#include "rays.h"
-
 #include <isocast/volume/cell/cell.h>
-
-#include <catch2/catch.hpp>
 #include <test_size.h>
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+
+#include "make_volume.h"
+#include "rays.h"
 
 using namespace isocast;
 using namespace isocast::test;
@@ -29,7 +28,8 @@ double rough(std::int64_t i, std::int64_t j, std::int64_t k) {
 }
 
 // f at a point of grid space, in double.
-double value_at(const std::function<double(std::int64_t, std::int64_t, std::int64_t)>& f, const Double3& p, double iso) {
+double value_at(const std::function<double(std::int64_t, std::int64_t, std::int64_t)>& f, const Double3& p,
+                double iso) {
   std::int64_t c[3];
   for (int a = 0; a < 3; ++a) c[a] = std::min<std::int64_t>(static_cast<std::int64_t>(p[a]), kN - 2);
   double corners[8];
@@ -38,8 +38,9 @@ double value_at(const std::function<double(std::int64_t, std::int64_t, std::int6
 }
 
 // Shoots `count` awkward rays from points well below the iso-value; returns how many hit nothing.
-std::int64_t count_escapes(const VolumeSurface& surface, const std::function<double(std::int64_t, std::int64_t, std::int64_t)>& f, double iso,
-                           double margin, std::int64_t count, std::uint64_t seed) {
+std::int64_t count_escapes(const VolumeSurface& surface,
+                           const std::function<double(std::int64_t, std::int64_t, std::int64_t)>& f,
+                           double iso, double margin, std::int64_t count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> inside(1, kN - 2);
   std::int64_t escaped = 0;
@@ -69,20 +70,25 @@ TEST_CASE("of rays shot from inside closed surfaces none escapes", "[property]")
     bool precise, smooth;
     double share;
   };
-  for (const Case& c : {Case{"marmitt", SampleType::f32, false, true, 0.4}, Case{"marmitt", SampleType::u8, false, false, 0.3},
-                        Case{"marmitt", SampleType::f64, true, true, 0.1}, Case{"neubauer", SampleType::f32, false, true, 0.1},
-                        Case{"linear", SampleType::u8, false, false, 0.1}}) {
+  for (const Case& c :
+       {Case{"marmitt", SampleType::f32, false, true, 0.4},
+        Case{"marmitt", SampleType::u8, false, false, 0.3}, Case{"marmitt", SampleType::f64, true, true, 0.1},
+        Case{"neubauer", SampleType::f32, false, true, 0.1},
+        Case{"linear", SampleType::u8, false, false, 0.1}}) {
     VolumeSurfaceOptions options = surface_options(c.smooth ? 0 : 57, widest_isa(), c.method);
     options.double_precision = c.precise;
     const std::function<double(std::int64_t, std::int64_t, std::int64_t)> f = c.smooth ? smooth : rough;
     const VolumeSurface surface(make_volume({kN, kN, kN}, c.type, f), options);
     INFO(c.method << " " << name_of(c.type));
-    CHECK(count_escapes(surface, f, options.iso[0], 1e-3, static_cast<std::int64_t>(double(total) * c.share), 17) == 0);
+    CHECK(count_escapes(surface, f, options.iso[0], 1e-3, static_cast<std::int64_t>(double(total) * c.share),
+                        17) == 0);
   }
 }
 
 TEST_CASE("none escapes where the values are denormal", "[property]") {
-  const auto tiny = [](std::int64_t i, std::int64_t j, std::int64_t k) { return (rough(i, j, k) - 57) * 1e-44; };
+  const auto tiny = [](std::int64_t i, std::int64_t j, std::int64_t k) {
+    return (rough(i, j, k) - 57) * 1e-44;
+  };
   const VolumeSurface surface(make_volume({kN, kN, kN}, SampleType::f32, tiny), surface_options(0));
   CHECK(count_escapes(surface, tiny, 0, 1e-44, test::cases(50000, 1000000), 18) == 0);
 }

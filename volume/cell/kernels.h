@@ -9,10 +9,13 @@
 
 namespace isocast {
 
-/// Solves `count` packets. `width` is the number of lanes of a register; a packet is always kPacketSize lanes, whatever it is.
+/// Solves `count` packets. `width` is the number of lanes of a register; a packet is always kPacketSize
+/// lanes, whatever it is.
 struct CellKernels {
-  using SolveFloat = void(const CellOptions&, const CellPacket<float>*, RootPacket<float>*, std::size_t count);
-  using SolveDouble = void(const CellOptions&, const CellPacket<double>*, RootPacket<double>*, std::size_t count);
+  using SolveFloat = void(const CellOptions&, const CellPacket<float>*, RootPacket<float>*,
+                          std::size_t count);
+  using SolveDouble = void(const CellOptions&, const CellPacket<double>*, RootPacket<double>*,
+                           std::size_t count);
   SolveFloat* solve_float[kCellMethodCount];
   SolveDouble* solve_double[kCellMethodCount];
   int width_float, width_double;

@@ -16,8 +16,10 @@ namespace {
 template <Real R> Cell<R> load_cell(const CellPacket<Scalar<R>>& packet, int lane) {
   Cell<R> cell;
   for (int i = 0; i < 8; ++i) cell.f[i] = load<R>(packet.f[i] + lane);
-  cell.entry = {load<R>(packet.entry[0] + lane), load<R>(packet.entry[1] + lane), load<R>(packet.entry[2] + lane)};
-  cell.exit = {load<R>(packet.exit[0] + lane), load<R>(packet.exit[1] + lane), load<R>(packet.exit[2] + lane)};
+  cell.entry = {load<R>(packet.entry[0] + lane), load<R>(packet.entry[1] + lane),
+                load<R>(packet.entry[2] + lane)};
+  cell.exit = {load<R>(packet.exit[0] + lane), load<R>(packet.exit[1] + lane),
+               load<R>(packet.exit[2] + lane)};
   cell.begin = load<R>(packet.begin + lane);
   cell.carry = load<R>(packet.carry + lane);
   return cell;
@@ -29,8 +31,9 @@ template <class T> struct Methods {
 
   // One register at a time; a register without an active lane is skipped.
   template <Intersector* intersect>
-  static void solve(const CellOptions& options, const CellPacket<T>* packets, RootPacket<T>* roots, std::size_t count) {
-    constexpr unsigned lanes = (1ull << kWidth<R>) - 1;
+  static void solve(const CellOptions& options, const CellPacket<T>* packets, RootPacket<T>* roots,
+                    std::size_t count) {
+    constexpr unsigned lanes = (1ull << kWidth<R>)-1;
     for (std::size_t i = 0; i < count; ++i) {
       std::uint32_t hit = 0, undecided = 0, sign = 0;
       for (int lane = 0; lane < kPacketSize; lane += kWidth<R>) {
@@ -57,8 +60,10 @@ template <class T> using M = Methods<T>;
 
 // the order of CellMethod
 const CellKernels cell_kernel_table = {
-    {M<float>::solve<midpoint>, M<float>::solve<linear>, M<float>::solve<neubauer>, M<float>::solve<schwarze>, M<float>::solve<marmitt>},
-    {M<double>::solve<midpoint>, M<double>::solve<linear>, M<double>::solve<neubauer>, M<double>::solve<schwarze>, M<double>::solve<marmitt>},
+    {M<float>::solve<midpoint>, M<float>::solve<linear>, M<float>::solve<neubauer>, M<float>::solve<schwarze>,
+     M<float>::solve<marmitt>},
+    {M<double>::solve<midpoint>, M<double>::solve<linear>, M<double>::solve<neubauer>,
+     M<double>::solve<schwarze>, M<double>::solve<marmitt>},
     kWidth<Native<float>>,
     kWidth<Native<double>>};
 

@@ -6,7 +6,8 @@
 namespace isocast::inline ISO_ISA {
 
 /// f at a point of the cell's faces: trilinear, or bilinear on the face with `face`.
-template <Real R> ISO_HD inline R value_on_face(const Cell<R>& cell, const Vec3<R>& p, const CellOptions& options) {
+template <Real R>
+ISO_HD inline R value_on_face(const Cell<R>& cell, const Vec3<R>& p, const CellOptions& options) {
   return options.face ? bilinear_on_face(cell.f, p) : trilinear(cell.f, p);
 }
 
@@ -18,7 +19,8 @@ template <Real R> struct EndValues {
 template <Real R> ISO_HD inline EndValues<R> end_values(const Cell<R>& cell, const CellOptions& options) {
   const R at_entry = value_on_face(cell, cell.entry, options);
   const Mask<R> inside = cell.begin > R(0);
-  const R at_begin = any(inside) ? select(inside, trilinear(cell.f, point_at(cell, cell.begin)), at_entry) : at_entry;
+  const R at_begin =
+      any(inside) ? select(inside, trilinear(cell.f, point_at(cell, cell.begin)), at_entry) : at_entry;
   const R flo = with_carried_sign(cell, at_begin), fhi = value_on_face(cell, cell.exit, options);
   return {{cell.begin, R(1), flo, fhi}, negative(flo) != negative(fhi)};
 }

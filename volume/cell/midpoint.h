@@ -5,9 +5,9 @@
 
 namespace isocast::inline ISO_ISA {
 
-/// s = 1/2 when corners of both signs exist (zero counts as positive). No evaluation of f: off by up to half the chord, and
-/// a hit wherever the ray enters such a cell. The bracket is what is left of the chord.
-/// source  Marmitt et al., Fast and accurate ray-voxel intersection techniques for iso-surface ray tracing, VMV 2004
+/// s = 1/2 when corners of both signs exist (zero counts as positive). No evaluation of f: off by up to half
+/// the chord, and a hit wherever the ray enters such a cell. The bracket is what is left of the chord. source
+/// Marmitt et al., Fast and accurate ray-voxel intersection techniques for iso-surface ray tracing, VMV 2004
 template <Real R> ISO_HD inline Root<R> midpoint(const Cell<R>& cell, const CellOptions&) {
   Mask<R> some = negative(cell.f[0]), all = some;
   for (int i = 1; i < 8; ++i) {

@@ -9,12 +9,11 @@ inline constexpr int kPacketSize = 16;
 
 /// One cell and one chord of it a lane, in structure of arrays.
 ///
-/// f       corner values minus iso, x fastest: [z][y][x]; finite (a cell with a NaN or infinite corner is no cell)
-/// entry   where the ray enters, cell space [0,1]^3: the coordinate of the face it enters through is exactly 0 or 1
-/// exit    where it leaves; s in [0,1] runs from entry to exit
-/// begin   roots are sought in (begin, 1]; 0 for the whole chord
-/// carry   +0 or -0 to carry a known sign of f at `begin`, NaN to evaluate it
-/// active  bit l set: lane l holds a cell
+/// f       corner values minus iso, x fastest: [z][y][x]; finite (a cell with a NaN or infinite corner is no
+/// cell) entry   where the ray enters, cell space [0,1]^3: the coordinate of the face it enters through is
+/// exactly 0 or 1 exit    where it leaves; s in [0,1] runs from entry to exit begin   roots are sought in
+/// (begin, 1]; 0 for the whole chord carry   +0 or -0 to carry a known sign of f at `begin`, NaN to evaluate
+/// it active  bit l set: lane l holds a cell
 template <class T> struct alignas(64) CellPacket {
   T f[8][kPacketSize];
   T entry[3][kPacketSize], exit[3][kPacketSize];

@@ -9,10 +9,11 @@ namespace isocast::inline ISO_ISA {
 /// Coefficients below this many unit roundoffs of the largest count as zero.
 inline constexpr int kDegenerateUlps = 16;
 
-/// The smallest root of a s^3 + b s^2 + c s + d in (begin, 1], by degree: line, quadratic, Cardano's cubic. Every case is
-/// computed and selected. Near double roots the discriminant cancels, and small a make the normalised coefficients huge:
-/// roots are then lost, invented or off (the paper's R-MAR-7). Touching roots count as hits here.
-/// source  Schwarze: Cubic and quartic roots, Graphics Gems, 1990; Marmitt et al., VMV 2004
+/// The smallest root of a s^3 + b s^2 + c s + d in (begin, 1], by degree: line, quadratic, Cardano's cubic.
+/// Every case is computed and selected. Near double roots the discriminant cancels, and small a make the
+/// normalised coefficients huge: roots are then lost, invented or off (the paper's R-MAR-7). Touching roots
+/// count as hits here. source  Schwarze: Cubic and quartic roots, Graphics Gems, 1990; Marmitt et al., VMV
+/// 2004
 template <Real R> ISO_HD inline Root<R> schwarze(const Cell<R>& cell, const CellOptions& options) {
   const PowerCubic<R> raw = options.stable ? power_form(cubic_along(cell)) : textbook_cubic_along(cell);
   const R largest = max(max(abs(raw.a), abs(raw.b)), max(abs(raw.c), abs(raw.d)));
@@ -21,7 +22,9 @@ template <Real R> ISO_HD inline Root<R> schwarze(const Cell<R>& cell, const Cell
   const R nothing = R(2);  // outside (begin, 1]
 
   R first = nothing;
-  const auto offer = [&](R s, Mask<R> valid) { first = select(valid & (s > cell.begin) & (s <= R(1)) & (s < first), s, first); };
+  const auto offer = [&](R s, Mask<R> valid) {
+    first = select(valid & (s > cell.begin) & (s <= R(1)) & (s < first), s, first);
+  };
   const Mask<R> is_cubic = abs(a3) > small, is_quadratic = (!is_cubic) & (abs(a2) > small);
 
   // the line a1 s + a0
@@ -42,7 +45,8 @@ template <Real R> ISO_HD inline Root<R> schwarze(const Cell<R>& cell, const Cell
     const R shift = a * third;
     const R p = third * (b - a * shift), q = R(0.5) * (R(2) * shift * shift * shift - shift * b + c);
     const R p3 = p * p * p, discriminant = q * q + p3;
-    const Mask<R> flat = is_cubic & (discriminant == R(0)), three = is_cubic & (discriminant < R(0)), one = is_cubic & (discriminant > R(0));
+    const Mask<R> flat = is_cubic & (discriminant == R(0)), three = is_cubic & (discriminant < R(0)),
+                  one = is_cubic & (discriminant > R(0));
     if (any(flat)) {
       const R u = cbrt(-q);
       offer(R(2) * u - shift, flat);

@@ -1,8 +1,7 @@
+#include <fmt/format.h>
 #include <isocast/base/text.h>
 #include <isocast/volume/io/base64.h>
 #include <isocast/volume/io/header_text.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>

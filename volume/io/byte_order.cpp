@@ -1,7 +1,6 @@
 #include <isocast/base/interrupt.h>
 #include <isocast/base/progress.h>
 #include <isocast/volume/io/byte_order.h>
-
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>

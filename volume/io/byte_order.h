@@ -20,8 +20,7 @@ namespace isocast {
 [[nodiscard]] inline std::uint64_t swapped(std::uint64_t v) { return __builtin_bswap64(v); }
 
 /// One unsigned number at any address.
-template <std::unsigned_integral U>
-[[nodiscard]] U load_number(const std::byte* from, bool big_endian) {
+template <std::unsigned_integral U> [[nodiscard]] U load_number(const std::byte* from, bool big_endian) {
   U value;
   std::memcpy(&value, from, sizeof value);
   return is_native(big_endian) ? value : swapped(value);

@@ -1,6 +1,5 @@
-#include <isocast/volume/io/header_text.h>
-
 #include <fmt/format.h>
+#include <isocast/volume/io/header_text.h>
 
 #include <algorithm>
 #include <charconv>
@@ -36,8 +35,7 @@ std::vector<std::string_view> split_words(std::string_view text, std::string_vie
   return words;
 }
 
-template <class N>
-std::optional<N> to_number(std::string_view word) {
+template <class N> std::optional<N> to_number(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   N value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -45,8 +43,7 @@ std::optional<N> to_number(std::string_view word) {
   return value;
 }
 
-template <class N>
-std::optional<std::vector<N>> to_numbers(std::string_view text, std::size_t count) {
+template <class N> std::optional<std::vector<N>> to_numbers(std::string_view text, std::size_t count) {
   const std::vector<std::string_view> words = split_words(text);
   if (words.size() != count) return std::nullopt;
   std::vector<N> numbers;

@@ -23,8 +23,7 @@ namespace isocast {
 
 /// A word that is a number as a whole, for N int64_t, uint64_t and double ("nan" and "inf" are numbers); else
 /// nothing.
-template <class N>
-[[nodiscard]] std::optional<N> to_number(std::string_view word);
+template <class N> [[nodiscard]] std::optional<N> to_number(std::string_view word);
 /// All words as numbers, exactly `count` of them; else nothing.
 template <class N>
 [[nodiscard]] std::optional<std::vector<N>> to_numbers(std::string_view text, std::size_t count);

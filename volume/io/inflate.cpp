@@ -1,8 +1,7 @@
+#include <fmt/format.h>
 #include <isocast/base/interrupt.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/inflate.h>
-
-#include <fmt/format.h>
 #include <zlib.h>
 
 #include <algorithm>

@@ -1,11 +1,10 @@
+#include <fmt/format.h>
 #include <isocast/base/module.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/nifti.h>
 #include <isocast/volume/io/nifti_module.h>
 #include <isocast/volume/io/samples.h>
 #include <isocast/volume/io/type_words.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>

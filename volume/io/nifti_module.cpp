@@ -1,10 +1,9 @@
 // Headers through libnifti. It prints its own complaints and repairs what it dislikes, so headers are checked
 // before.
+#include <fmt/format.h>
 #include <isocast/base/module.h>
 #include <isocast/volume/grid.h>
 #include <isocast/volume/io/nifti_module.h>
-
-#include <fmt/format.h>
 #include <nifti/nifti2_io.h>
 
 #include <algorithm>
@@ -20,8 +19,7 @@ nifti_image* convert(const nifti_1_header& header) { return nifti_convert_n1hdr2
 nifti_image* convert(const nifti_2_header& header) { return nifti_convert_n2hdr2nim(header, nullptr); }
 
 // Why a header in native byte order cannot be used; empty if it can. Both versions name their fields alike.
-template <class Header>
-std::string find_problem(const Header& header) {
+template <class Header> std::string find_problem(const Header& header) {
   const auto rank = header.dim[0];
   if (rank < 1 || rank > 7) return fmt::format("dim[0] is {}, expected 1 to 7", rank);
   for (int a = 1; a <= rank; ++a) {
@@ -43,8 +41,7 @@ std::string find_problem(const Header& header) {
   return {};
 }
 
-template <class Header>
-NiftiHeader interpret_as(std::span<const std::byte> bytes, int version) {
+template <class Header> NiftiHeader interpret_as(std::span<const std::byte> bytes, int version) {
   NiftiHeader result;
   Header header;
   std::memcpy(&header, bytes.data(), sizeof header);

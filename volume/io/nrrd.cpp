@@ -1,11 +1,10 @@
+#include <fmt/format.h>
 #include <isocast/base/text.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/nrrd.h>
 #include <isocast/volume/io/nrrd_header.h>
 #include <isocast/volume/io/samples.h>
 #include <isocast/volume/io/type_words.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

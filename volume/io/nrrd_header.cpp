@@ -1,8 +1,7 @@
+#include <fmt/format.h>
 #include <isocast/base/text.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/nrrd_header.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>

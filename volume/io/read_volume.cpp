@@ -1,11 +1,10 @@
+#include <fmt/format.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/nifti.h>
 #include <isocast/volume/io/nrrd.h>
 #include <isocast/volume/io/raw.h>
 #include <isocast/volume/io/read_volume.h>
 #include <isocast/volume/io/vti.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +42,11 @@ void check_transform(const Transform& transform, const std::filesystem::path& pa
 
 Volume read_volume(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string name = lower_case(path.filename().string());
+  // these mistakes come before wrong extensions and missing dimensions
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) throw read_error(path, "there is no such file");
+  if (std::filesystem::is_directory(path, ignored))
+    throw read_error(path, "it is a folder, a file was expected");
   if (name.ends_with(".raw")) return read_raw(path, options);
 
   const auto reader =

@@ -1,10 +1,9 @@
+#include <fmt/format.h>
 #include <isocast/base/progress.h>
 #include <isocast/volume/grid.h>
 #include <isocast/volume/io/byte_order.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/samples.h>
-
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,8 +1,7 @@
+#include <fmt/format.h>
 #include <isocast/base/text.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/type_words.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -36,8 +35,7 @@ constexpr TypeWords kNearest[] = {
      "ulonglong|unsigned long long|unsigned long long int|float128|complex128|complex256|"},
 };
 
-template <std::size_t N>
-const TypeWords* find_word(const TypeWords (&table)[N], const std::string& word) {
+template <std::size_t N> const TypeWords* find_word(const TypeWords (&table)[N], const std::string& word) {
   const auto found = std::ranges::find_if(table, [&](const TypeWords& row) {
     return row.words.find("|" + word + "|") != std::string_view::npos;
   });

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <isocast/base/text.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/samples.h>
@@ -5,7 +6,6 @@
 #include <isocast/volume/io/vti.h>
 #include <isocast/volume/io/vti_array.h>
 
-#include <fmt/format.h>
 #include <pugixml.hpp>
 
 namespace isocast {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <isocast/base/interrupt.h>
 #include <isocast/base/progress.h>
 #include <isocast/base/text.h>
@@ -6,8 +7,6 @@
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/samples.h>
 #include <isocast/volume/io/vti_array.h>
-
-#include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -138,8 +137,7 @@ void read_blocks(Volume& volume, const VtiArray& array, const std::filesystem::p
 }
 
 // One number as a sample; integers must fit.
-template <class S>
-std::optional<S> to_sample(std::string_view word) {
+template <class S> std::optional<S> to_sample(std::string_view word) {
   if constexpr (std::is_floating_point_v<S>) {
     const std::optional<double> number = to_number<double>(word);
     return number ? std::optional<S>(static_cast<S>(*number)) : std::nullopt;

@@ -1,15 +1,14 @@
 // marmitt against the exact reference: which root it finds and how near, over all families.
+#include <fmt/format.h>
 #include <isocast/apps/bench/cell_families.h>
 #include <isocast/apps/bench/judge.h>
 #include <isocast/math/real.h>
 #include <isocast/volume/cell/cell.h>
-
-#include <catch2/catch.hpp>
-#include <fmt/format.h>
 #include <test_size.h>
 
 #include <algorithm>
 #include <array>
+#include <catch2/catch.hpp>
 #include <cmath>
 
 using namespace isocast;

@@ -3,10 +3,9 @@
 #include <isocast/apps/bench/cell_families.h>
 #include <isocast/apps/bench/judge.h>
 #include <isocast/apps/bench/random.h>
-
-#include <catch2/catch.hpp>
 #include <test_size.h>
 
+#include <catch2/catch.hpp>
 #include <cstring>
 #include <limits>
 #include <vector>

@@ -4,11 +4,10 @@
 #include <isocast/math/real.h>
 #include <isocast/volume/cell/cell.h>
 #include <isocast/volume/cell/marmitt.h>
-
-#include <catch2/catch.hpp>
 #include <volume/cell/diagonal_cell.h>
 
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 

@@ -1,11 +1,10 @@
 // What the paper claims of the five intersectors (Marmitt et al., VMV 2004), against the exact reference.
 #include <isocast/apps/bench/cell_families.h>
 #include <isocast/apps/bench/judge.h>
-
-#include <catch2/catch.hpp>
 #include <volume/cell/diagonal_cell.h>
 
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 
 using namespace isocast;

@@ -1,10 +1,9 @@
 // Packets at the edge of what is allowed: unused lanes, tiny numbers, parts of chords, touching roots.
 #include <isocast/apps/bench/cell_families.h>
 #include <isocast/apps/bench/judge.h>
-
-#include <catch2/catch.hpp>
 #include <volume/cell/diagonal_cell.h>
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <limits>

@@ -1,7 +1,7 @@
 // NIfTI: both versions, both byte orders, plain and in gzip; the affine, the scaling, and headers that lie.
-#include "volume_files.h"
-
 #include <map>
+
+#include "volume_files.h"
 
 using namespace isocast;
 using namespace isocast::test;

@@ -22,7 +22,7 @@ TEST_CASE("what is no readable file is told in every format", "[io]") {
   const TemporaryFolder folder;
   for (const std::string name : {"a_2x2x2_uint8.raw", "a.nrrd", "a.nhdr", "a.nii", "a.nii.gz", "a.vti"}) {
     INFO(name);
-    CHECK_THAT(error_of(folder.path() / name), Contains(name) && Contains("No such file"));
+    CHECK_THAT(error_of(folder.path() / name), Contains(name) && Contains("there is no such file"));
     std::filesystem::create_directory(folder.path() / name);
     CHECK_THAT(error_of(folder.path() / name), Contains(name) && Contains("it is a folder"));
     std::filesystem::remove(folder.path() / name);

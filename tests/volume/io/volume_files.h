@@ -4,13 +4,12 @@
 
 #include <isocast/base/error.h>
 #include <isocast/volume/io/read_volume.h>
-
-#include <catch2/catch.hpp>
 #include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <bit>
+#include <catch2/catch.hpp>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -45,23 +44,20 @@ class TemporaryFolder {
 };
 
 /// One number's bytes.
-template <class N>
-std::string bytes_of(N value, bool big_endian = false) {
+template <class N> std::string bytes_of(N value, bool big_endian = false) {
   std::string bytes(sizeof value, '\0');
   std::memcpy(bytes.data(), &value, sizeof value);
   if (big_endian) std::ranges::reverse(bytes);
   return bytes;
 }
-template <class N>
-std::string bytes_of(const std::vector<N>& values, bool big_endian = false) {
+template <class N> std::string bytes_of(const std::vector<N>& values, bool big_endian = false) {
   std::string bytes;
   for (const N& value : values) bytes += bytes_of(value, big_endian);
   return bytes;
 }
 
 /// `count` values of the type, its extremes among them.
-template <class S>
-std::vector<S> pattern(std::size_t count) {
+template <class S> std::vector<S> pattern(std::size_t count) {
   std::vector<S> values(count);
   for (std::size_t i = 0; i < count; ++i) values[i] = static_cast<S>(7 * i % 101);
   values.front() = std::numeric_limits<S>::lowest();
@@ -93,8 +89,7 @@ inline std::string deflated(const std::string& plain, int window_bits) {
 inline std::string gzip(const std::string& plain) { return deflated(plain, 15 + 16); }
 inline std::string zlib(const std::string& plain) { return deflated(plain, 15); }
 
-template <class S>
-std::vector<S> samples_of(const Volume& volume) {
+template <class S> std::vector<S> samples_of(const Volume& volume) {
   REQUIRE(size_of(volume.type) == sizeof(S));
   std::vector<S> samples(static_cast<std::size_t>(volume.count()));
   std::memcpy(samples.data(), volume.samples, samples.size() * sizeof(S));
@@ -116,22 +111,14 @@ inline std::string replaced(std::string text, const std::string& from, const std
   return text.replace(at, from.size(), to);
 }
 
-template <class S>
-constexpr SampleType kTypeOf = SampleType::u8;
-template <>
-inline constexpr SampleType kTypeOf<std::int8_t> = SampleType::i8;
-template <>
-inline constexpr SampleType kTypeOf<std::uint16_t> = SampleType::u16;
-template <>
-inline constexpr SampleType kTypeOf<std::int16_t> = SampleType::i16;
-template <>
-inline constexpr SampleType kTypeOf<std::uint32_t> = SampleType::u32;
-template <>
-inline constexpr SampleType kTypeOf<std::int32_t> = SampleType::i32;
-template <>
-inline constexpr SampleType kTypeOf<float> = SampleType::f32;
-template <>
-inline constexpr SampleType kTypeOf<double> = SampleType::f64;
+template <class S> constexpr SampleType kTypeOf = SampleType::u8;
+template <> inline constexpr SampleType kTypeOf<std::int8_t> = SampleType::i8;
+template <> inline constexpr SampleType kTypeOf<std::uint16_t> = SampleType::u16;
+template <> inline constexpr SampleType kTypeOf<std::int16_t> = SampleType::i16;
+template <> inline constexpr SampleType kTypeOf<std::uint32_t> = SampleType::u32;
+template <> inline constexpr SampleType kTypeOf<std::int32_t> = SampleType::i32;
+template <> inline constexpr SampleType kTypeOf<float> = SampleType::f32;
+template <> inline constexpr SampleType kTypeOf<double> = SampleType::f64;
 
 }  // namespace isocast::test
 

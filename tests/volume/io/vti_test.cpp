@@ -63,8 +63,7 @@ struct VtiFile {
   }
 };
 
-template <class S>
-std::string vti_type() {
+template <class S> std::string vti_type() {
   const std::string names[] = {"UInt8", "Int8", "UInt16",  "Int16",  "UInt32",
                                "Int32", "",     "Float32", "Float64"};
   return names[int(kTypeOf<S>)];

@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# The program as a user meets it: exit codes, one sentence for every mistake, the same bytes always, no half files.
+# usage: command_line_test.sh PROGRAM
+set -uo pipefail
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+fail() {
+  echo "$*"
+  failures=$((failures + 1))
+}
+
+# expect CODE WORDS ARGUMENT...: the exit code, and words that the one sentence on stderr must hold
+expect() {
+  local code=$1 sentence=$2 status=0
+  shift 2
+  "$program" "$@" >out.txt 2>err.txt || status=$?
+  ((status == code)) || fail "isocast $*: exit code $status, expected $code: $(head -c 300 err.txt)"
+  [[ -z $sentence ]] || grep -qF -- "$sentence" err.txt out.txt || fail "isocast $*: says '$(head -c 300 err.txt)', expected '$sentence'"
+}
+
+expect 0 "wrote" sample @tangle --resolution 40 --type f32 -o tangle.nrrd
+expect 0 "wrote" sample gyroid --resolution 33 --type u8 -o gyroid_33x33x33_uint8.raw
+expect 0 '"suggested_iso"' info tangle.nrrd --json
+expect 0 '"default"' methods --json
+expect 0 '"barth_sextic"' surfaces --json
+expect 0 '"left_out"' render tangle.nrrd --iso 0 --size 64x48 -o tangle.png --stats -
+expect 0 "" render gyroid_33x33x33_uint8.raw --size 64x48 --iso 100,140 --colors '#ff0000,#00ff00' --ortho 40 -o gyroid.png
+
+# mistakes
+expect 2 "is no verb" paint
+expect 2 "there is no such file" render missing.raw -o a.png
+expect 2 "missing.nrrd" render missing.nrrd -o a.png
+expect 2 "folder" info .
+expect 2 ".png or .exr" render tangle.nrrd -o a.jpg
+expect 2 "the folder nowhere does not exist" render tangle.nrrd -o nowhere/a.png
+expect 2 "the folder nowhere does not exist" render tangle.nrrd -o a.png --stats nowhere/a.json
+expect 2 "need an .exr file" render tangle.nrrd -o a.png --aov depth
+expect 2 "proves anything" render tangle.nrrd -o a.exr --aov certificate
+expect 2 "midpoint, linear, neubauer, schwarze, marmitt" render tangle.nrrd -o a.png --method newton
+expect 2 "no option 'eps'" render tangle.nrrd -o a.png --set eps=1
+expect 2 "no CUDA part" render tangle.nrrd -o a.png --isa cuda
+expect 2 "WIDTHxHEIGHT" render tangle.nrrd -o a.png --size 0x0
+expect 2 "-x^2+y^2" render -x^2+y^2 -o a.png
+expect 2 "suite" bench everything -o bench
+[[ -e a.png || -e a.exr ]] && fail "a failed run left a picture"
+
+# the same bytes for 1, 2 and 7 threads and every instruction set
+picture=(render tangle.nrrd --iso 0,2 --size 70x50 --light 1,-1,2 --shadows --spp 2 --aov depth,z,normal,position,id,value,cost)
+"$program" "${picture[@]}" --isa scalar --threads 1 -o expected.exr || fail "no picture"
+"$program" render tangle.nrrd --size 70x50 --isa scalar --threads 1 -o expected.png || fail "no picture"
+for isa in sse4 avx2 avx512; do
+  "$program" "${picture[@]}" --isa "$isa" -o a.exr 2>err.txt || { grep -q "lacks it" err.txt && continue; }
+  cmp expected.exr a.exr || fail "another picture with $isa"
+done
+for threads in 2 7; do
+  "$program" "${picture[@]}" --threads "$threads" -o a.exr && cmp expected.exr a.exr || fail "another picture with $threads threads"
+  "$program" render tangle.nrrd --size 70x50 --threads "$threads" -o a.png && cmp expected.png a.png || fail "another picture with $threads threads"
+done
+
+# Ctrl-C: exit code 130, nothing half written, what was there stays
+rm -f a.png && echo old >kept.png
+set -m
+"$program" render tangle.nrrd --iso 0 --size 4096x4096 --spp 64 -o kept.png 2>err.txt &
+sleep 1
+kill -INT $!
+wait $!
+((status = $?)) || true
+((status == 130)) || fail "Ctrl-C: exit code $status, expected 130"
+[[ $(cat kept.png) == old ]] || fail "Ctrl-C: the old picture is gone"
+compgen -G ".*part*" >/dev/null && fail "Ctrl-C: a half file is left"
+
+((failures == 0)) && echo "every run did what was expected"
+exit $((failures > 0))
