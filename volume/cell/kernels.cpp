@@ -1,3 +1,4 @@
+#include <isocast/isa/cpu.h>
 #include <isocast/volume/cell/kernels.h>
 
 namespace isocast {

@@ -1,13 +1,12 @@
 // The table of cell intersectors, one per instruction set.
 #pragma once
 
-#include <isocast/isa/cpu.h>
 #include <isocast/volume/cell/options.h>
 #include <isocast/volume/cell/packet.h>
 
-#include <cstddef>
-
 namespace isocast {
+
+enum class Isa : std::uint8_t;  // isa/cpu.h
 
 /// Solves `count` packets. `width` is the number of lanes of a register; a packet is always kPacketSize
 /// lanes, whatever it is.
