@@ -5,6 +5,7 @@
 #include <isocast/apps/bench/pareto.h>
 #include <isocast/apps/bench/timing.h>
 #include <isocast/base/progress.h>
+#include <isocast/math/transform.h>
 #include <isocast/volume/methods.h>
 
 #include <algorithm>
@@ -62,10 +63,8 @@ Case make_case(const CellFamily& family, bool quick) {
   return result;
 }
 
-using Vector = std::array<double, 3>;
-
-Vector gradient(const CellChord& chord, double s) {
-  Vector g{};
+Double3 gradient(const CellChord& chord, double s) {
+  Double3 g{};
   for (int axis = 0; axis < 3; ++axis)
     for (int i = 0; i < 8; ++i) {
       double weight = i >> axis & 1 ? 1 : -1;
@@ -78,10 +77,8 @@ Vector gradient(const CellChord& chord, double s) {
   return g;
 }
 
-double angle_in_degrees(const Vector& a, const Vector& b) {
-  const Vector cross = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  const double dot = std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-  return std::atan2(std::hypot(cross[0], cross[1], cross[2]), dot) * 180 / std::numbers::pi;
+double angle_in_degrees(const Double3& a, const Double3& b) {
+  return std::atan2(length(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi;
 }
 
 double chord_length(const CellChord& chord) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/apps/reference/cell_reference.h>
+#include <isocast/isa/cpu.h>
 #include <isocast/volume/cell/kernels.h>
 
 #include <cstdint>

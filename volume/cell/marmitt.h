@@ -32,7 +32,8 @@ ISO_HD inline Isolated<R> isolate_first_root(const P& p, const Cell<R>& cell, R 
   // cut at an extremum inside: if f has changed sign there the root lies before it, otherwise behind
   if (any(turning)) {
     const Extrema<R> e = extrema(p);
-    for (const R s : {e.first, e.second}) {
+    const R places[] = {e.first, e.second};
+    for (const R s : places) {
       const Mask<R> within = turning & (s > b.lo) & (s < b.hi);
       const R fs = eval(p, s);
       const Mask<R> touches =
