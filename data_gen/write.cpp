@@ -107,7 +107,10 @@ std::string nrrd_header(const SampleGrid& grid, const StoredType& stored, const 
   if (!is_float(stored.type))
     header += fmt::format("old min: {}\nold max: {}\nisocast_slope:={}\nisocast_intercept:={}\n", mapping.lo,
                           mapping.lo + stored.largest * mapping.slope, mapping.slope, mapping.lo);
-  return header + "\n";
+  // a comment fills up to whole multiples of 64 bytes, so that readers can map the samples in place
+  constexpr std::size_t kAlignment = 64;
+  const std::size_t rest = (header.size() + 3) % kAlignment;  // "#" and two line ends follow
+  return header + "#" + std::string((kAlignment - rest) % kAlignment, ' ') + "\n\n";
 }
 
 }  // namespace
