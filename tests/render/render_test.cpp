@@ -54,7 +54,8 @@ View make_view(const Scene& scene, int width, int height, CameraWishes wishes = 
 
 bool same(const Film& a, const Film& b) {
   const auto equal = [](const std::vector<float>& x, const std::vector<float>& y) {
-    return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(float)) == 0;
+    if (x.size() != y.size()) return false;
+    return x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(float)) == 0;
   };
   bool all = equal(a.color(), b.color());
   for (int i = 0; i < kLayerCount; ++i)
