@@ -30,9 +30,9 @@ struct VolumeQuery {
   std::uint16_t object;
 };
 
-/// Surface::first_hit and Surface::next_hit. The walk is scalar code, compiled once (built for AVX-512 it ran
-/// a fifth slower); the cells it finds are solved sixteen at a time in the widest registers. The bits do not
-/// depend on the instruction set.
+/// Surface::first_hit and Surface::next_hit. The walk is scalar code, compiled once: built for AVX-512 it was no
+/// faster. The cells it finds are solved sixteen at a time in the widest registers. The bits do not depend on
+/// the instruction set.
 void trace_first_hits(const VolumeQuery& query, const RayStream& rays, HitStream& hits, TraceCounts& counts);
 void trace_next_hits(const VolumeQuery& query, const RayStream& rays, HitStream& hits, TraceCounts& counts);
 
