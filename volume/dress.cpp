@@ -1,7 +1,8 @@
 #include <isocast/math/vec.h>
 #include <isocast/volume/cell/cell.h>
+#include <isocast/volume/dense_grid.h>
 #include <isocast/volume/dress.h>
-#include <isocast/volume/sample.h>
+#include <isocast/volume/sparse_grid.h>
 
 #include <algorithm>
 
@@ -10,33 +11,33 @@ namespace {
 
 // A hit in grid space: its cell and its place in it.
 struct CellPoint {
-  std::int64_t cell[3];
+  std::int32_t cell[3];
   Vec3<double> p;
 };
 
-CellPoint locate(const VolumeDressing& dressing, const Double3& world, std::int64_t index) {
-  const auto& dims = dressing.volume.dims;
+CellPoint locate(const VolumeDressing& dressing, const Double3& world, const HitStream& hits, int i) {
   const Double3 grid = dressing.grid_from_world.point(world);
-  CellPoint c{{index % dims[0], index / dims[0] % dims[1], index / (dims[0] * dims[1])}, {}};
+  CellPoint c{{hits.cell[0][i], hits.cell[1][i], hits.cell[2][i]}, {}};
   c.p = {clamp01(grid[0] - double(c.cell[0])), clamp01(grid[1] - double(c.cell[1])),
          clamp01(grid[2] - double(c.cell[2]))};
   return c;
 }
 
-template <class S> struct Samples {
-  const Volume& volume;
-  double at(std::int64_t x, std::int64_t y, std::int64_t z) const {
-    return double(
-        number(reinterpret_cast<const S*>(volume.samples)[(z * volume.dims[1] + y) * volume.dims[0] + x]));
+// Grid: DenseGrid or SparseGrid.
+template <class Grid> struct Samples {
+  const Grid& grid;
+  const SampleBox& box;
+  double at(std::int32_t x, std::int32_t y, std::int32_t z) const {
+    return double(number(grid.at({x, y, z})));
   }
-  void corners(const std::int64_t (&c)[3], double (&f)[8]) const {
+  void corners(const std::int32_t (&c)[3], double (&f)[8]) const {
     for (int i = 0; i < 8; ++i) f[i] = at(c[0] + (i & 1), c[1] + (i >> 1 & 1), c[2] + (i >> 2));
   }
   // Central difference along an axis, one-sided at the border.
-  double difference(std::array<std::int64_t, 3> c, int axis) const {
+  double difference(std::array<std::int32_t, 3> c, int axis) const {
     auto lo = c, hi = c;
-    lo[axis] = std::max<std::int64_t>(c[axis] - 1, 0);
-    hi[axis] = std::min(c[axis] + 1, volume.dims[axis] - 1);
+    lo[axis] = std::max(c[axis] - 1, box.first[axis]);
+    hi[axis] = std::min(c[axis] + 1, box.last[axis]);
     return (at(hi[0], hi[1], hi[2]) - at(lo[0], lo[1], lo[2])) / double(hi[axis] - lo[axis]);
   }
 };
@@ -51,7 +52,7 @@ Double3 cell_gradient(const double (&f)[8], const Vec3<double>& p) {
           plane(f[4] - f[0], f[5] - f[1], f[6] - f[2], f[7] - f[3], p.x, p.y)};
 }
 
-template <class S> Double3 difference_gradient(const Samples<S>& samples, const CellPoint& c) {
+template <class Grid> Double3 difference_gradient(const Samples<Grid>& samples, const CellPoint& c) {
   Double3 gradient;
   for (int axis = 0; axis < 3; ++axis) {
     double g[8];
@@ -62,22 +63,22 @@ template <class S> Double3 difference_gradient(const Samples<S>& samples, const 
   return gradient;
 }
 
-template <class S>
+template <class Grid>
 void dress(const VolumeDressing& dressing, const RayStream& rays, const HitStream& hits,
            const DressWishes& wishes, DressedHits& dressed) {
-  const Samples<S> samples{dressing.volume};
+  const Grid grid(dressing.query);
+  const Samples<Grid> samples{grid, dressing.query.samples};
   for (int i = 0; i < rays.size; ++i) {
-    if (hits.object[i] != dressing.object || !(hits.t[i] < __builtin_inf())) continue;
+    if (hits.object[i] != dressing.query.object || !(hits.t[i] < __builtin_inf())) continue;
     const Double3 d = {rays.dx[i], rays.dy[i], rays.dz[i]};
     const Double3 world = Double3{rays.ox[i], rays.oy[i], rays.oz[i]} + hits.t[i] * d;
     if (wishes.position)
       for (int a = 0; a < 3; ++a) dressed.position[a][i] = world[a];
     if (!wishes.normal && !wishes.value) continue;
-    const CellPoint c = locate(dressing, world, hits.cell[i]);
+    const CellPoint c = locate(dressing, world, hits, i);
     double f[8];
     samples.corners(c.cell, f);
-    if (wishes.value)
-      dressed.value[i] = dressing.volume.slope * trilinear(f, c.p) + dressing.volume.intercept;
+    if (wishes.value) dressed.value[i] = dressing.slope * trilinear(f, c.p) + dressing.intercept;
     if (!wishes.normal) continue;
     const Double3 gradient =
         dressing.normals == NormalKind::gradient ? cell_gradient(f, c.p) : difference_gradient(samples, c);
@@ -91,9 +92,14 @@ void dress(const VolumeDressing& dressing, const RayStream& rays, const HitStrea
 
 void dress_volume_hits(const VolumeDressing& dressing, const RayStream& rays, const HitStream& hits,
                        const DressWishes& wishes, DressedHits& dressed) {
-  visit_sample_type(dressing.volume.type, [&](auto tag) {
-    dress<typename decltype(tag)::Type>(dressing, rays, hits, wishes, dressed);
-  });
+  if (dressing.query.sparse)
+    visit_sparse_type(dressing.query.tree.type, [&]<class S>(SparseTag<S>) {
+      dress<SparseGrid<S>>(dressing, rays, hits, wishes, dressed);
+    });
+  else
+    visit_sample_type(dressing.query.grid.type, [&]<class S>(SampleTag<S>) {
+      dress<DenseGrid<S>>(dressing, rays, hits, wishes, dressed);
+    });
 }
 
 }  // namespace isocast

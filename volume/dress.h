@@ -6,10 +6,11 @@
 
 namespace isocast {
 
+/// slope, intercept  of the user's units
 struct VolumeDressing {
-  const Volume& volume;
+  const VolumeQuery& query;
   const Transform& grid_from_world;
-  std::uint16_t object;
+  double slope, intercept;
   NormalKind normals;
 };
 

@@ -21,6 +21,11 @@ struct BlockBox {
   std::int32_t lo[3], hi[3];
 };
 
+/// Samples first...last per axis, both included; there is a cell between each two.
+struct SampleBox {
+  std::int32_t first[3], last[3];
+};
+
 /// dims[0] varies fastest. There are dims - 1 cells per axis; cell c has its lowest corner at sample c.
 struct GridView {
   const void* samples;

@@ -47,14 +47,42 @@ template <> struct SampleTraits<std::int32_t> {
   using Key = std::int64_t;
   static constexpr bool wide = true;
 };
+// compared and subtracted as doubles: exact up to 2^53
+template <> struct SampleTraits<std::int64_t> {
+  using Arithmetic = double;
+  using Key = double;
+  static constexpr bool wide = true;
+};
 
-template <class S> ISO_HD inline typename SampleTraits<S>::Arithmetic number(S s) { return s; }
+template <class S> ISO_HD inline typename SampleTraits<S>::Arithmetic number(S s) {
+  return typename SampleTraits<S>::Arithmetic(s);
+}
 ISO_HD inline float number(Half s) { return to_float(s); }
 
 /// Sample minus iso in T: in double first where the sample needs it (u32, i32, f64). Never -0.
 template <class T, class S> ISO_HD inline T corner_value(S s, double iso) {
   if constexpr (SampleTraits<S>::wide) return T(double(number(s)) - iso);
   else return T(number(s)) - T(iso);
+}
+
+/// Bit i set: some of eight corners lie below key i and some do not.
+template <class S>
+ISO_HD inline std::uint32_t parted_isos(const S (&corners)[8], const typename SampleTraits<S>::Key* keys,
+                                        int count) {
+  std::uint32_t parted = 0;
+  for (int i = 0; i < count; ++i) {
+    int below = 0;
+    for (int k = 0; k < 8; ++k) below += number(corners[k]) < keys[i];
+    parted |= std::uint32_t(below > 0 && below < 8) << i;
+  }
+  return parted;
+}
+
+/// Whether some key parts the values lo...hi.
+template <class A, class Key> ISO_HD inline bool parts_range(A lo, A hi, const Key* keys, int count) {
+  bool parts = false;
+  for (int i = 0; i < count; ++i) parts = parts | (lo < keys[i] && !(hi < keys[i]));
+  return parts;
 }
 
 }  // namespace isocast::inline ISO_ISA

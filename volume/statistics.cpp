@@ -13,29 +13,70 @@
 namespace isocast {
 namespace {
 
-// Calls visit(first sample, count) for slabs of the volume, in parallel.
-template <class S, class Visit>
-void for_each_slab(const Volume& volume, Progress& progress, const Visit& visit) {
-  constexpr std::int64_t kSlab = std::int64_t(1) << 20;
-  const S* const samples = reinterpret_cast<const S*>(volume.samples);
-  const oneapi::tbb::blocked_range<std::int64_t> all(0, volume.count(), kSlab);
-  oneapi::tbb::parallel_for(all, [&](const oneapi::tbb::blocked_range<std::int64_t>& slab) {
-    throw_if_interrupted();
-    visit(samples + slab.begin(), slab.end() - slab.begin());
-    progress.add(slab.end() - slab.begin());
-  });
+// The samples of a volume as runs: for_each calls visit(first sample, count, weight) in parallel, where every
+// sample of a run stands for `weight` of them.
+template <class S> struct DenseSamples {
+  using Sample = S;
+  const Volume& volume;
+
+  [[nodiscard]] std::int64_t steps() const { return volume.count(); }
+  template <class Visit> void for_each(Progress& progress, const Visit& visit) const {
+    constexpr std::int64_t kSlab = std::int64_t(1) << 20;
+    const S* const samples = reinterpret_cast<const S*>(volume.samples);
+    const oneapi::tbb::blocked_range<std::int64_t> all(0, volume.count(), kSlab);
+    oneapi::tbb::parallel_for(all, [&](const oneapi::tbb::blocked_range<std::int64_t>& slab) {
+      throw_if_interrupted();
+      visit(samples + slab.begin(), slab.end() - slab.begin(), std::int64_t(1));
+      progress.add(slab.end() - slab.begin());
+    });
+  }
+};
+
+// The active samples of a tree; tiles count for all that they fill.
+template <class S> struct ActiveSamples {
+  using Sample = typename SparseSample<S>::Type;
+  const SparseTree& tree;
+
+  [[nodiscard]] std::int64_t steps() const { return static_cast<std::int64_t>(tree.leaves().size()); }
+  template <class Visit> void for_each(Progress& progress, const Visit& visit) const {
+    const oneapi::tbb::blocked_range<std::size_t> all(0, tree.leaves().size(), 2048);
+    oneapi::tbb::parallel_for(all, [&](const oneapi::tbb::blocked_range<std::size_t>& some) {
+      throw_if_interrupted();
+      Sample active[kLeafSamples];
+      for (const SparseLeaf& leaf : tree.leaves().subspan(some.begin(), some.size())) {
+        std::int64_t count = 0;
+        for (int n = 0; n < kLeafSamples; ++n)
+          if (leaf_active(leaf, n)) active[count++] = SparseSample<S>::of_leaf(leaf, n);
+        visit(active, count, std::int64_t(1));
+      }
+      progress.add(static_cast<std::int64_t>(some.size()));
+    });
+    for (const TileBlock& block : tree.active_tiles()) {
+      const Sample value = tile_value<S>(block.tile);
+      visit(&value, 1, std::int64_t(1) << 3 * block.edge);
+    }
+  }
+};
+
+template <class Visit> decltype(auto) visit_samples(const Volume& volume, const Visit& visit) {
+  if (volume.tree)
+    return visit_sparse_type(volume.tree->type(),
+                             [&]<class S>(SparseTag<S>) { return visit(ActiveSamples<S>{*volume.tree}); });
+  return visit_sample_type(volume.type,
+                           [&]<class S>(SampleTag<S>) { return visit(DenseSamples<S>{volume}); });
 }
 
 // Stored units, finite samples only.
 struct StoredRange {
   double lo = std::numeric_limits<double>::infinity(), hi = -std::numeric_limits<double>::infinity();
-  std::int64_t nan_count = 0, infinite_count = 0;
+  std::int64_t count = 0, nan_count = 0, infinite_count = 0;
 };
 
-template <class S> StoredRange range_of(const Volume& volume, Progress& progress) {
+template <class Samples> StoredRange range_of(const Samples& all, Progress& progress) {
+  using S = typename Samples::Sample;
   using A = typename SampleTraits<S>::Arithmetic;
   oneapi::tbb::enumerable_thread_specific<StoredRange> partial;
-  for_each_slab<S>(volume, progress, [&](const S* samples, std::int64_t count) {
+  all.for_each(progress, [&](const S* samples, std::int64_t count, std::int64_t weight) {
     A lo = std::numeric_limits<A>::max(), hi = std::numeric_limits<A>::lowest();
     std::int64_t nan_count = 0, infinite_count = 0;
     for (std::int64_t i = 0; i < count; ++i) {
@@ -49,8 +90,9 @@ template <class S> StoredRange range_of(const Volume& volume, Progress& progress
       hi = std::max(hi, v);
     }
     StoredRange& range = partial.local();
-    range.nan_count += nan_count;
-    range.infinite_count += infinite_count;
+    range.count += count * weight;
+    range.nan_count += nan_count * weight;
+    range.infinite_count += infinite_count * weight;
     if (nan_count + infinite_count == count) return;
     range.lo = std::min(range.lo, double(lo));
     range.hi = std::max(range.hi, double(hi));
@@ -59,6 +101,7 @@ template <class S> StoredRange range_of(const Volume& volume, Progress& progress
   for (const StoredRange& range : partial) {
     total.lo = std::min(total.lo, range.lo);
     total.hi = std::max(total.hi, range.hi);
+    total.count += range.count;
     total.nan_count += range.nan_count;
     total.infinite_count += range.infinite_count;
   }
@@ -82,8 +125,9 @@ struct FineHistogram {
   }
 };
 
-template <class S>
-FineHistogram fine_histogram(const Volume& volume, double lo, double hi, Progress& progress) {
+template <class Samples>
+FineHistogram fine_histogram(const Samples& all, double lo, double hi, Progress& progress) {
+  using S = typename Samples::Sample;
   using A = typename SampleTraits<S>::Arithmetic;
   FineHistogram fine;
   fine.lo = lo;
@@ -97,13 +141,13 @@ FineHistogram fine_histogram(const Volume& volume, double lo, double hi, Progres
   const bool scalable = std::isfinite(scale);
   oneapi::tbb::enumerable_thread_specific<std::vector<std::int64_t>> partial(
       [&] { return std::vector<std::int64_t>(bins); });
-  for_each_slab<S>(volume, progress, [&](const S* samples, std::int64_t count) {
+  all.for_each(progress, [&](const S* samples, std::int64_t count, std::int64_t weight) {
     std::vector<std::int64_t>& counts = partial.local();
     for (std::int64_t i = 0; i < count; ++i) {
       const double v = double(number(samples[i]));
       if (std::is_floating_point_v<A> && !std::isfinite(v)) continue;
       const double offset = v * unit - start, bin = scalable ? offset * scale : offset / width * double(bins);
-      ++counts[std::min(std::size_t(bin), bins - 1)];
+      counts[std::min(std::size_t(bin), bins - 1)] += weight;
     }
   });
   fine.counts.resize(bins);
@@ -141,16 +185,15 @@ std::vector<double> suggest(const VolumeStatistics& s) {
 
 VolumeStatistics statistics_of(const Volume& volume) {
   constexpr double kPercents[] = {0.1, 1, 5, 25, 50, 75, 95, 99, 99.9};
-  Progress progress("statistics", 2 * volume.count());
+  Progress progress("statistics", 2 * visit_samples(volume, [](const auto& all) { return all.steps(); }));
   VolumeStatistics s;
   for (std::size_t p = 0; p < s.percentiles.size(); ++p) s.percentiles[p].percent = kPercents[p];
 
   // the range, in the users' units: a negative slope exchanges its ends
-  const StoredRange range =
-      visit_sample_type(volume.type, [&]<class S>(SampleTag<S>) { return range_of<S>(volume, progress); });
+  const StoredRange range = visit_samples(volume, [&](const auto& all) { return range_of(all, progress); });
   s.nan_count = range.nan_count;
   s.infinite_count = range.infinite_count;
-  s.finite_count = volume.count() - s.nan_count - s.infinite_count;
+  s.finite_count = range.count - s.nan_count - s.infinite_count;
   if (s.finite_count == 0) return s;
   const auto scaled = [&](double stored) { return volume.slope * stored + volume.intercept; };
   s.min = std::min(scaled(range.lo), scaled(range.hi));
@@ -167,9 +210,8 @@ VolumeStatistics statistics_of(const Volume& volume) {
   }
 
   // the distribution, with the bins in the order of the users' values
-  FineHistogram fine = visit_sample_type(volume.type, [&]<class S>(SampleTag<S>) {
-    return fine_histogram<S>(volume, range.lo, range.hi, progress);
-  });
+  FineHistogram fine = visit_samples(
+      volume, [&](const auto& all) { return fine_histogram(all, range.lo, range.hi, progress); });
   const std::size_t bins = fine.counts.size();
   const bool reversed = volume.slope < 0;
   if (reversed) std::ranges::reverse(fine.counts);
@@ -181,6 +223,11 @@ VolumeStatistics statistics_of(const Volume& volume) {
     p.value = scaled(fine.value(reversed ? bins - 1 - bin : bin));
   }
   s.suggested_iso = suggest(s);
+  // distances to a surface: the surface itself
+  if (volume.grid_class == "level set" && s.min < 0 && s.max > 0) {
+    std::erase(s.suggested_iso, 0.0);
+    s.suggested_iso.insert(s.suggested_iso.begin(), 0.0);
+  }
   return s;
 }
 

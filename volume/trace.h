@@ -3,6 +3,8 @@
 
 #include <isocast/volume/cell/cell.h>
 #include <isocast/volume/march.h>
+#include <isocast/volume/query.h>
+#include <isocast/volume/sample.h>
 
 namespace isocast::inline ISO_ISA {
 
@@ -18,9 +20,10 @@ inline void solve_packet(const VolumeQuery& query, const CellPacket<double>& pac
 /// What a lane carries from cell to cell. Only in its first cell may the signs at the start be known (bits of
 /// `sides`, f is then not evaluated there): where the ray starts on this very surface, or goes on behind a
 /// hit. There roots are sought behind `begin`, and behind `begin_of_iso` for the iso-value that was hit.
-struct Lane {
+template <class Grid> struct Lane {
   GridRay ray;
-  GridWalk walk;
+  GridWalk<Grid::kLevels> walk;
+  typename Grid::Place place;
   std::uint32_t active = 0, sides = 0;
   double begin = 0, begin_of_iso = 0;
   int iso_of_hit = -1;
@@ -35,17 +38,17 @@ struct Lane {
 
 /// Corners minus iso, chord and starting point of one lane's cell for one iso-value; false when a corner is
 /// not finite.
-template <class T, class S>
-inline bool fetch_cell(const TypedGrid<S>& grid, const Lane& lane, double iso, int iso_index,
+template <class T, class Grid>
+inline bool fetch_cell(const Grid& grid, const Lane<Grid>& lane, double iso, int iso_index,
                        CellPacket<T>& packet, int l) {
-  S raw[8];
-  grid.load_corners(lane.walk.cell(), raw);
+  typename Grid::Sample raw[8];
+  grid.load_corners(lane.walk.cell(), lane.place, raw);
   T finite = 0;
   for (int k = 0; k < 8; ++k) {
     packet.f[k][l] = corner_value<T>(raw[k], iso);
     finite += packet.f[k][l] * T(0);
   }
-  const LevelWalk& cell = lane.walk.level[kCells];
+  const LevelWalk& cell = lane.walk.level[lane.walk.kCells];
   const int out = cell.axis_out();
   T entry[3], exit[3];
   point_in_cell(lane.ray, lane.walk, lane.walk.t_in, lane.walk.axis_in, false, entry);
@@ -68,8 +71,8 @@ template <class T> inline T value_at_entry(const CellPacket<T>& packet, int l) {
 
 /// Sides of all iso-values in front of the hit of iso `hit_iso`; `behind`: f is negative behind it,
 /// `touched`: so it is in front.
-template <class T, class S>
-inline std::uint32_t sides_in_front(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane& lane,
+template <class T, class Grid>
+inline std::uint32_t sides_in_front(const VolumeQuery& query, const Grid& grid, const Lane<Grid>& lane,
                                     int hit_iso, bool behind, bool touched) {
   std::uint32_t sides = std::uint32_t(behind == touched) << hit_iso;
   CellPacket<T> cell;
@@ -88,8 +91,8 @@ template <class T> struct Nearest {
   int iso[kPacketSize];
   std::uint32_t hit = 0, undecided = 0, behind = 0;
 };
-template <class T, class S>
-inline Nearest<T> solve_cells(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane* lanes,
+template <class T, class Grid>
+inline Nearest<T> solve_cells(const VolumeQuery& query, const Grid& grid, const Lane<Grid>* lanes,
                               std::uint32_t alive, std::uint32_t* cost, CellPacket<T>& packet,
                               RootPacket<T>& roots, TraceCounts& counts) {
   Nearest<T> nearest;
@@ -108,8 +111,7 @@ inline Nearest<T> solve_cells(const VolumeQuery& query, const TypedGrid<S>& grid
     // exactly zero at the very start of a ray is a hit there; the side behind is the positive one
     for (std::uint32_t rest = packet.active; rest; rest &= rest - 1) {
       const int l = __builtin_ctz(rest);
-      if (lanes[l].walk.axis_in != GridWalk::kStart || lanes[l].carried || value_at_entry(packet, l) != T(0))
-        continue;
+      if (lanes[l].walk.axis_in != kStart || lanes[l].carried || value_at_entry(packet, l) != T(0)) continue;
       roots.s[l] = roots.s_lo[l] = roots.s_hi[l] = T(0);
       roots.hit |= 1u << l;
       roots.undecided |= 1u << l;
@@ -132,19 +134,18 @@ inline Nearest<T> solve_cells(const VolumeQuery& query, const TypedGrid<S>& grid
 }
 
 /// Writes the root of lane l into the hit of slot i, unless it lies behind the ray's end or a nearer hit.
-template <class T, class S>
-inline void record_hit(const VolumeQuery& query, const TypedGrid<S>& grid, const Lane& lane,
+template <class T, class Grid>
+inline void record_hit(const VolumeQuery& query, const Grid& grid, const Lane<Grid>& lane,
                        const Nearest<T>& nearest, int l, const RayStream& rays, HitStream& hits, int i) {
   const double t_in = lane.walk.t_in, span = lane.walk.t_out() - t_in, t = t_in + double(nearest.s[l]) * span;
   if (!(t <= rays.t_max[i] && t < hits.t[i])) return;
   const bool undecided = nearest.undecided >> l & 1, behind = nearest.behind >> l & 1;
-  const std::int32_t(&c)[3] = lane.walk.cell();
   hits.t[i] = t;
   hits.t_lo[i] = t_in + double(nearest.s_lo[l]) * span;
   hits.t_hi[i] = t_in + double(nearest.s_hi[l]) * span;
   hits.s[i] = nearest.s[l];
   hits.s_hi[i] = nearest.s_hi[l];
-  hits.cell[i] = (std::int64_t(c[2]) * query.grid.dims[1] + c[1]) * query.grid.dims[0] + c[0];
+  for (int a = 0; a < 3; ++a) hits.cell[a][i] = lane.walk.cell()[a];
   hits.iso[i] = std::uint8_t(nearest.iso[l]);
   hits.object[i] = query.object;
   hits.certificate[i] = undecided ? Certificate::undecided : Certificate::no_proof;
@@ -152,10 +153,9 @@ inline void record_hit(const VolumeQuery& query, const TypedGrid<S>& grid, const
 }
 
 /// Traces the lanes of `alive` to their first root, or the end; `slot` is lane 0's place in the streams.
-template <class T, class S>
-inline void trace_packet(const VolumeQuery& query, const TypedGrid<S>& grid, const Shifts& shifts,
-                         Lane* lanes, std::uint32_t alive, const RayStream& rays, HitStream& hits, int slot,
-                         TraceCounts& counts) {
+template <class T, class Grid>
+inline void trace_packet(const VolumeQuery& query, const Grid& grid, Lane<Grid>* lanes, std::uint32_t alive,
+                         const RayStream& rays, HitStream& hits, int slot, TraceCounts& counts) {
   alignas(64) CellPacket<T> packet = {};
   alignas(64) RootPacket<T> roots = {};
   std::uint32_t cost[kPacketSize] = {};
@@ -165,9 +165,9 @@ inline void trace_packet(const VolumeQuery& query, const TypedGrid<S>& grid, con
     // every ray to its next active cell
     for (std::uint32_t rest = alive; rest; rest &= rest - 1) {
       const int l = __builtin_ctz(rest);
-      Lane& lane = lanes[l];
+      Lane<Grid>& lane = lanes[l];
       const std::int64_t before = counts.cells;
-      lane.active = march(grid, shifts, lane.ray, lane.walk, tested, counts);
+      lane.active = march(grid, lane.ray, lane.walk, lane.place, tested, counts);
       if (lane.walk.moved) lane.leave_first_cell();
       cost[l] += std::uint32_t(counts.cells - before);
       if (!lane.active) alive &= ~(1u << l);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/volume/dress.h>
+#include <isocast/volume/sample.h>
 #include <isocast/volume/volume_surface.h>
 
 #include <cmath>
@@ -9,45 +10,93 @@
 namespace isocast {
 namespace {
 
-const Volume& checked(const Volume& volume) {
+void check_dims(const Volume& volume) {
   for (const std::int64_t n : volume.dims)
     if (n < 2 || n > kMaxDim)
       throw InputError(
           fmt::format("a volume of {} x {} x {} samples cannot be rendered: 2 to {} per axis are needed",
                       volume.dims[0], volume.dims[1], volume.dims[2], kMaxDim));
-  return volume;
+}
+
+// Real samples of double precision lie below iso as they are; floats below iso as the corner value sees it.
+double real_key(double iso, bool wide, bool double_precision) {
+  if (wide) return iso;
+  const double value = double_precision ? iso : static_cast<double>(static_cast<float>(iso));
+  const float nearest = static_cast<float>(value);  // the smallest float that is not below
+  return nearest < value ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
+}
+
+// Clamped to far outside every integer type, which is still inside the keys' own type.
+double integer_key(double iso, bool wide, bool double_precision) {
+  const double value = wide || double_precision ? iso : static_cast<double>(static_cast<float>(iso)),
+               limit = wide ? 0x1p33 : 0x1p20;
+  return std::min(std::max(std::ceil(value), -limit), limit);
+}
+
+template <class S> double key_of(double iso, bool double_precision) {
+  using Traits = SampleTraits<S>;
+  return std::is_floating_point_v<typename Traits::Key> ? real_key(iso, Traits::wide, double_precision)
+                                                        : integer_key(iso, Traits::wide, double_precision);
 }
 
 }  // namespace
 
 double iso_key(SampleType type, double iso, bool double_precision) {
-  const bool wide = type == SampleType::u32 || type == SampleType::i32 || type == SampleType::f64;
-  const double value = wide || double_precision ? iso : static_cast<double>(static_cast<float>(iso));
-  if (type == SampleType::f64) return value;
-  if (is_float(type)) {  // the smallest float that is not below
-    const float nearest = static_cast<float>(value);
-    return nearest < value ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
-  }
-  constexpr double kBeyond =
-      0x1p33;  // outside every integer type, inside the keys' for the narrow ones after the clamp
-  const double limit = wide ? kBeyond : 0x1p20;
-  return std::min(std::max(std::ceil(value), -limit), limit);
+  return visit_sample_type(type, [&]<class S>(SampleTag<S>) { return key_of<S>(iso, double_precision); });
+}
+double iso_key(SparseType type, double iso, bool double_precision) {
+  return visit_sparse_type(type, [&]<class S>(SparseTag<S>) {
+    return key_of<typename SparseSample<S>::Type>(iso, double_precision);
+  });
 }
 
 VolumeSurface::VolumeSurface(std::shared_ptr<const Volume> volume, const VolumeSurfaceOptions& options)
-    : volume_(std::move(volume)),
-      macrocells_(checked(*volume_)),
-      grid_from_world_(volume_->world_from_grid.inverse()) {
+    : volume_(std::move(volume)), grid_from_world_(volume_->world_from_grid.inverse()) {
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c) query_.grid_from_world[r][c] = grid_from_world_.m[r][c];
+  if (volume_->tree) use_tree();
+  else use_dense_grid();
+  set_options(options);
+}
+
+void VolumeSurface::use_dense_grid() {
+  check_dims(*volume_);
+  macrocells_.emplace(*volume_);
   GridView& grid = query_.grid;
   grid.samples = volume_->samples;
   grid.type = volume_->type;
-  for (int a = 0; a < 3; ++a) grid.dims[a] = static_cast<std::int32_t>(volume_->dims[a]);
-  for (int i = 0; i < kMacroLevels; ++i) grid.levels[i] = macrocells_.level(i);
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 4; ++c) query_.grid_from_world[r][c] = grid_from_world_.m[r][c];
-  bounds_ =
-      world_box({0, 0, 0}, {double(grid.dims[0] - 1), double(grid.dims[1] - 1), double(grid.dims[2] - 1)});
-  set_options(options);
+  for (int i = 0; i < kMacroLevels; ++i) grid.levels[i] = macrocells_->level(i);
+  Double3 last;
+  for (int a = 0; a < 3; ++a) {
+    grid.dims[a] = static_cast<std::int32_t>(volume_->dims[a]);
+    query_.samples.last[a] = grid.dims[a] - 1;
+    last[a] = query_.samples.last[a];
+  }
+  bounds_ = world_box({0, 0, 0}, last);
+}
+
+// Cells with an active corner reach one sample beyond the active ones.
+void VolumeSurface::use_tree() {
+  const SparseTree& tree = *volume_->tree;
+  query_.sparse = true;
+  query_.tree = tree.view();
+  if (tree.first_active()[0] > tree.last_active()[0]) return;
+  ranges_.emplace(tree);
+  query_.tree_ranges = ranges_->view();
+  Double3 first, last;
+  for (int a = 0; a < 3; ++a) {
+    query_.samples.first[a] = tree.first_active()[a] - 1;
+    query_.samples.last[a] = tree.last_active()[a] + 1;
+    query_.active.lo[a] = query_.samples.first[a] >> kTreeShifts[0];
+    query_.active.hi[a] = (query_.samples.last[a] - 1) >> kTreeShifts[0];
+    first[a] = query_.samples.first[a];
+    last[a] = query_.samples.last[a];
+  }
+  bounds_ = active_bounds_ = world_box(first, last);
+}
+
+std::size_t VolumeSurface::acceleration_bytes() const {
+  return macrocells_ ? macrocells_->bytes() : ranges_ ? ranges_->bytes() : 0;
 }
 
 Box VolumeSurface::world_box(const Double3& lo, const Double3& hi) const {
@@ -70,14 +119,17 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
                  stored = (value - volume_->intercept) / volume_->slope;
     if (!std::isfinite(stored)) throw InputError(fmt::format("iso-value {} is no finite number", value));
     query_.iso[i] = stored;
-    query_.key[i] = iso_key(volume_->type, stored, options.double_precision);
+    query_.key[i] = volume_->tree ? iso_key(volume_->tree->type(), stored, options.double_precision)
+                                  : iso_key(volume_->type, stored, options.double_precision);
   }
-  query_.active = macrocells_.active_box({query_.key, static_cast<std::size_t>(query_.iso_count)});
-  active_bounds_ = Box();
-  if (const BlockBox& b = query_.active; b.lo[0] <= b.hi[0]) {
-    const double size = 1 << query_.grid.levels[0].shift;
-    active_bounds_ = world_box({b.lo[0] * size, b.lo[1] * size, b.lo[2] * size},
-                               {(b.hi[0] + 1) * size, (b.hi[1] + 1) * size, (b.hi[2] + 1) * size});
+  if (macrocells_) {
+    query_.active = macrocells_->active_box({query_.key, static_cast<std::size_t>(query_.iso_count)});
+    active_bounds_ = Box();
+    if (const BlockBox& b = query_.active; b.lo[0] <= b.hi[0]) {
+      const double size = 1 << query_.grid.levels[0].shift;
+      active_bounds_ = world_box({b.lo[0] * size, b.lo[1] * size, b.lo[2] * size},
+                                 {(b.hi[0] + 1) * size, (b.hi[1] + 1) * size, (b.hi[2] + 1) * size});
+    }
   }
   query_.method = options.method.method;
   query_.options = options.method.options;
@@ -101,7 +153,8 @@ void VolumeSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts
 void VolumeSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
                           DressedHits& dressed) const {
   const DefaultFloatEnvironment environment;
-  dress_volume_hits({*volume_, grid_from_world_, query_.object, normals_}, rays, hits, wishes, dressed);
+  dress_volume_hits({query_, grid_from_world_, volume_->slope, volume_->intercept, normals_}, rays, hits,
+                    wishes, dressed);
 }
 
 }  // namespace isocast

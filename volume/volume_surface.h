@@ -6,9 +6,11 @@
 #include <isocast/volume/macrocells.h>
 #include <isocast/volume/methods.h>
 #include <isocast/volume/query.h>
+#include <isocast/volume/sparse_ranges.h>
 #include <isocast/volume/volume.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace isocast {
@@ -16,29 +18,35 @@ namespace isocast {
 enum class NormalKind : std::uint8_t { gradient, difference };
 
 /// iso       1 to kMaxIsos values in the user's units (slope and intercept of the file)
+/// isa       which kernels run, by default the widest for this processor; all give the same bits
 /// normals   gradient: of the trilinear interpolant in the hit cell, exact and discontinuous across faces;
 ///           difference: central differences at the samples, interpolated, smooth
 /// object    number of the object in its scene
 struct VolumeSurfaceOptions {
   std::vector<double> iso;
-  CellMethodChoice method;
+  CellMethodChoice method = choose_cell_method("auto", {});
   bool double_precision = false;
-  Isa isa = Isa::scalar;
+  Isa isa = widest_isa();
   NormalKind normals = NormalKind::gradient;
   std::uint16_t object = 0;
 };
 
-/// Holds the samples and their macrocells; other options need one look at the coarsest macrocells and rebuild
-/// nothing.
+/// Holds the samples, dense or sparse, and the ranges that let rays leap; other options need one look at the
+/// coarsest ranges and rebuild nothing.
+///
+/// A cell of a sparse grid exists if its eight corners are finite and at least one is active. Inactive
+/// corners have the tree's value, tiles count as samples, and where nothing is active there is no surface.
 class VolumeSurface final : public Surface {
  public:
-  /// Throws InputError when the volume has fewer than two samples along an axis, or options cannot be used.
+  /// Throws InputError when a dense volume has fewer than two samples along an axis, or options cannot be
+  /// used.
   VolumeSurface(std::shared_ptr<const Volume> volume, const VolumeSurfaceOptions& options);
 
   void set_options(const VolumeSurfaceOptions& options);
-  [[nodiscard]] const MacroCells& macrocells() const { return macrocells_; }
+  /// Memory of the ranges.
+  [[nodiscard]] std::size_t acceleration_bytes() const;
 
-  /// The whole grid, whatever the iso-values.
+  /// The whole grid, whatever the iso-values; empty for a sparse grid without an active sample.
   [[nodiscard]] Box bounds() const override { return bounds_; }
   /// By the box of the blocks that hold an iso-value.
   [[nodiscard]] bool narrow(const TileFrustum& tile) const override;
@@ -48,10 +56,13 @@ class VolumeSurface final : public Surface {
              DressedHits& dressed) const override;
 
  private:
+  void use_dense_grid();
+  void use_tree();
   [[nodiscard]] Box world_box(const Double3& lo, const Double3& hi) const;
 
   std::shared_ptr<const Volume> volume_;
-  MacroCells macrocells_;
+  std::optional<MacroCells> macrocells_;   // of a dense grid
+  std::optional<SparseRangeTree> ranges_;  // of a sparse one
   Transform grid_from_world_;
   Box bounds_, active_bounds_;
   VolumeQuery query_ = {};
@@ -61,5 +72,6 @@ class VolumeSurface final : public Surface {
 /// The threshold of an iso-value in stored units: a sample s lies below it (s < key) exactly where the corner
 /// value that precision `T` computes, s minus iso, is negative (volume/sample.h).
 [[nodiscard]] double iso_key(SampleType type, double iso, bool double_precision);
+[[nodiscard]] double iso_key(SparseType type, double iso, bool double_precision);
 
 }  // namespace isocast

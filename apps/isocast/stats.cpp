@@ -32,7 +32,7 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
                  {"total", r.total_ms}};
   stats["memory_mb"] = {{"peak", static_cast<double>(usage.ru_maxrss) * 1024 / kMega},
                         {"volume", static_cast<double>(r.built.volume->bytes()) / kMega},
-                        {"acceleration", static_cast<double>(r.built.surface->macrocells().bytes()) / kMega}};
+                        {"acceleration", static_cast<double>(r.built.surface->acceleration_bytes()) / kMega}};
   const std::int64_t rays = r.counts.primary + r.counts.shadow;
   stats["rays"] = {
       {"primary", r.counts.primary}, {"shadow", r.counts.shadow}, {"reflection", 0}, {"transparency", 0}};

@@ -19,7 +19,7 @@ enum class Certificate : std::uint8_t { no_proof, proved_hit, proved_miss, undec
 struct alignas(64) HitStream {
   double t[kStreamSize], t_lo[kStreamSize], t_hi[kStreamSize];
   double s[kStreamSize], s_hi[kStreamSize];
-  std::int64_t cell[kStreamSize];
+  std::int32_t cell[3][kStreamSize];
   std::uint32_t sides[kStreamSize];
   std::uint32_t cost[kStreamSize];
   std::uint16_t object[kStreamSize];

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "make_tree.h"
+
 using namespace isocast;
 
 namespace {
@@ -129,4 +131,29 @@ TEST_CASE("Otsu parts two classes in the middle of the gap", "[statistics]") {
   CHECK(humps.suggested_iso[0] > 90);
   CHECK(humps.suggested_iso[0] < 160);
   check_suggestions(humps);
+}
+
+TEST_CASE("of a sparse grid the active samples count, tiles for all that they fill") {
+  test::TreeMaker tree(SparseType::f32, -7);
+  tree.set({0, 0, 0}, 1, true);
+  tree.set({0, 0, 1}, 3, true);
+  tree.set({0, 0, 2}, 99, false);
+  tree.tile({8, 0, 0}, 3, 2, true);
+  tree.tile({16, 0, 0}, 3, 88, false);
+  const auto volume = tree.volume();
+  VolumeStatistics s = statistics_of(*volume);
+  CHECK(s.finite_count == 514);
+  CHECK(s.min == 1);
+  CHECK(s.max == 3);
+  CHECK(s.histogram.counts[0] == 1);
+  CHECK(s.histogram.counts[128] == 512);
+  CHECK(s.histogram.counts[255] == 1);
+  for (auto grid_class : {"fog volume", "level set"}) {
+    test::TreeMaker distances(SparseType::f32, 3);
+    for (std::int32_t i = 0; i < 8; ++i) distances.set({i, 0, 0}, i - 2, true);
+    const auto band = distances.volume();
+    band->grid_class = grid_class;
+    s = statistics_of(*band);
+    CHECK((s.suggested_iso.front() == 0) == (std::string(grid_class) == "level set"));
+  }
 }

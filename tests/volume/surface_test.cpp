@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "make_tree.h"
 #include "make_volume.h"
 #include "rays.h"
 
@@ -46,7 +47,7 @@ void require_same(const HitStream& a, const HitStream& b, int size) {
     if (std::isinf(a.t[i])) continue;
     REQUIRE(a.t_lo[i] == b.t_lo[i]);
     REQUIRE(a.t_hi[i] == b.t_hi[i]);
-    REQUIRE(a.cell[i] == b.cell[i]);
+    for (int axis = 0; axis < 3; ++axis) REQUIRE(a.cell[axis][i] == b.cell[axis][i]);
     REQUIRE(a.iso[i] == b.iso[i]);
     REQUIRE(a.sides[i] == b.sides[i]);
     REQUIRE(a.certificate[i] == b.certificate[i]);
@@ -65,9 +66,11 @@ HitStream first_hits(const VolumeSurface& surface, const RayStream& rays) {
 
 TEST_CASE("every instruction set gives the same bits") {
   std::mt19937_64 random(1);
-  const auto volume = make_volume({19, 22, 18}, SampleType::u8, noise);
+  const auto dense = make_volume({19, 22, 18}, SampleType::u8, noise),
+             tree = make_full_tree({19, 22, 18}, SparseType::i16, 50, noise);
   for (const char* method : {"midpoint", "linear", "neubauer", "schwarze", "marmitt"})
-    for (const bool precise : {false, true}) {
+    for (const auto& volume : {dense, tree}) {
+      const bool precise = random() % 2;
       VolumeSurfaceOptions options = surface_options(40, Isa::scalar, method);
       options.iso = {40, 64, 90.5};
       options.double_precision = precise;
@@ -183,7 +186,8 @@ TEST_CASE("next_hit gives every crossing once, in order, for several iso-values 
     const bool border = i == 0 || j == 0 || k == 0 || i == n - 1 || j == n - 1 || k == n - 1;
     return border ? 0.0 : noise(i, j, k);
   };
-  const auto volume = make_volume({n, n, n}, SampleType::u8, closed);
+  const auto volume = GENERATE_COPY(make_volume({n, n, n}, SampleType::u8, closed),
+                                    make_full_tree({n, n, n}, SparseType::i16, 0, closed));
   const std::vector<double> isos = {30.5, 70.5, 71};
   VolumeSurfaceOptions options = surface_options(0);
   options.iso = isos;

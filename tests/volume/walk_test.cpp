@@ -14,10 +14,32 @@ using namespace isocast;
 
 namespace {
 
-constexpr std::int32_t kShifts[kWalkLevels] = {4, 2, 0};
-constexpr std::int32_t kDims[3] = {21, 18, 6};
-constexpr BlockBox kWhole = {{0, 0, 0}, {1, 1, 0}};  // of 16^3 cells: 20 x 17 x 5 of them
+constexpr std::int32_t kDims[3] = {21, 18, 6};  // samples: 20 x 17 x 5 cells
 const double kInfinity = std::numeric_limits<double>::infinity();
+
+// The blocks of dense grids, and those of sparse ones, across the borders of all kinds of blocks.
+struct DenseBlocks {
+  static constexpr std::int32_t kShifts[] = {4, 2, 0};
+  static constexpr std::int32_t kFirst[3] = {0, 0, 0};
+};
+struct SparseBlocks {
+  static constexpr std::int32_t kShifts[] = {12, 7, 3, 0};
+  static constexpr std::int32_t kFirst[3] = {-9, 4087, -132};
+};
+template <class Blocks> struct TestGrid {
+  static constexpr int kLevels = static_cast<int>(std::size(Blocks::kShifts));
+  using Walk = GridWalk<kLevels>;
+  SampleBox samples;
+  BlockBox whole;
+  TestGrid() {
+    for (int a = 0; a < 3; ++a) {
+      samples.first[a] = Blocks::kFirst[a];
+      samples.last[a] = Blocks::kFirst[a] + kDims[a] - 1;
+      whole.lo[a] = samples.first[a] >> Blocks::kShifts[0];
+      whole.hi[a] = (samples.last[a] - 1) >> Blocks::kShifts[0];
+    }
+  }
+};
 
 struct Visit {
   std::array<std::int32_t, 3> cell;
@@ -26,14 +48,14 @@ struct Visit {
 
 // Every cell by single steps, or only some blocks entered: `enter(level, block)` decides whether the walk
 // goes into a block.
-template <class Enter>
+template <class Blocks, class Enter>
 std::vector<Visit> walk_cells(const GridRay& ray, double t_min, double t_max, Enter enter) {
   std::vector<Visit> visits;
-  GridWalk walk;
-  if (!enter_grid(ray, kShifts[0], kWhole, t_min, t_max, walk)) return visits;
+  typename TestGrid<Blocks>::Walk walk;
+  if (!enter_grid(ray, Blocks::kShifts[0], TestGrid<Blocks>().whole, t_min, t_max, walk)) return visits;
   for (;;) {
     bool found;
-    if (walk.depth == kCells) {
+    if (walk.depth == walk.kCells) {
       found = walk_level(ray, walk, false, [&](const std::int32_t(&c)[3]) {
         visits.push_back({{c[0], c[1], c[2]}, walk.t_in, 0});
         return false;
@@ -41,7 +63,7 @@ std::vector<Visit> walk_cells(const GridRay& ray, double t_min, double t_max, En
     } else {
       found = walk_level(ray, walk, false, [&](const std::int32_t(&b)[3]) { return enter(walk.depth, b); });
     }
-    if (found) descend(ray, kShifts[walk.depth], kShifts[walk.depth + 1], walk);
+    if (found) descend(ray, Blocks::kShifts[walk.depth], Blocks::kShifts[walk.depth + 1], walk);
     else if (!ascend(ray, walk)) break;
   }
   for (Visit& v : visits) {  // exits by the one expression for planes
@@ -52,8 +74,8 @@ std::vector<Visit> walk_cells(const GridRay& ray, double t_min, double t_max, En
   return visits;
 }
 
-std::vector<Visit> walk_all(const GridRay& ray, double t_min, double t_max) {
-  return walk_cells(ray, t_min, t_max, [](int, const std::int32_t(&)[3]) { return true; });
+template <class Blocks> std::vector<Visit> walk_all(const GridRay& ray, double t_min, double t_max) {
+  return walk_cells<Blocks>(ray, t_min, t_max, [](int, const std::int32_t(&)[3]) { return true; });
 }
 
 // The open interval of t in which the exact ray is inside a cell, in rationals; empty: lo >= hi.
@@ -83,7 +105,7 @@ struct TestRay {
 };
 
 // Rays of every awkward kind at a grid of 21 x 18 x 6 samples.
-TestRay random_ray(std::mt19937_64& random) {
+template <class Blocks> TestRay random_ray(std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1), sign(-1, 1);
   const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   TestRay ray;
@@ -112,25 +134,27 @@ TestRay random_ray(std::mt19937_64& random) {
   const double scale = scales[pick(3)];
   for (double& x : ray.d) x *= scale;
   ray.t_max = pick(4) == 0 ? unit(random) / scale : kInfinity;
+  for (int a = 0; a < 3; ++a) ray.o[a] += Blocks::kFirst[a];
   return ray;
 }
 
-GridRay grid_ray(const TestRay& ray) {
+template <class Blocks> GridRay grid_ray(const TestRay& ray) {
   const double o[3] = {ray.o[0], ray.o[1], ray.o[2]}, d[3] = {ray.d[0], ray.d[1], ray.d[2]};
-  return make_grid_ray(o, d, kDims);
+  return make_grid_ray(o, d, TestGrid<Blocks>().samples);
 }
 
 double four_ulp(double t) { return 4 * (std::nextafter(std::abs(t), kInfinity) - std::abs(t)); }
 
 }  // namespace
 
-TEST_CASE("the walk visits every cell that the exact ray meets longer than 4 ulp, in order", "[property]") {
+TEMPLATE_TEST_CASE("the walk visits every cell that the exact ray meets longer than 4 ulp, in order",
+                   "[property]", DenseBlocks, SparseBlocks) {
   std::mt19937_64 random(1);
   const std::int64_t count = test::cases(3000, 300000);
   std::int64_t met = 0, visited = 0;
   for (std::int64_t n = 0; n < count; ++n) {
-    const TestRay ray = random_ray(random);
-    const std::vector<Visit> visits = walk_all(grid_ray(ray), 0, ray.t_max);
+    const TestRay ray = random_ray<TestType>(random);
+    const std::vector<Visit> visits = walk_all<TestType>(grid_ray<TestType>(ray), 0, ray.t_max);
     visited += static_cast<std::int64_t>(visits.size());
 
     // in order, each once, neighbours by a face, intervals chained bit for bit
@@ -143,8 +167,12 @@ TEST_CASE("the walk visits every cell that the exact ray meets longer than 4 ulp
     }
     std::vector<char> seen(20 * 17 * 5);
     for (const Visit& v : visits) {
-      for (int a = 0; a < 3; ++a) REQUIRE((v.cell[a] >= 0 && v.cell[a] < kDims[a] - 1));
-      char& mark = seen[static_cast<std::size_t>((v.cell[2] * 17 + v.cell[1]) * 20 + v.cell[0])];
+      std::int32_t c[3];
+      for (int a = 0; a < 3; ++a) {
+        c[a] = v.cell[a] - TestType::kFirst[a];
+        REQUIRE((c[a] >= 0 && c[a] < kDims[a] - 1));
+      }
+      char& mark = seen[static_cast<std::size_t>((c[2] * 17 + c[1]) * 20 + c[0])];
       REQUIRE(mark == 0);
       mark = 1;
     }
@@ -155,7 +183,9 @@ TEST_CASE("the walk visits every cell that the exact ray meets longer than 4 ulp
     for (std::int32_t z = 0; z < 5; ++z)
       for (std::int32_t y = 0; y < 17; ++y)
         for (std::int32_t x = 0; x < 20; ++x) {
-          const ExactInterval t = exact_interval(ray.o, ray.d, {x, y, z}, 0, t_max);
+          const ExactInterval t = exact_interval(
+              ray.o, ray.d, {x + TestType::kFirst[0], y + TestType::kFirst[1], z + TestType::kFirst[2]}, 0,
+              t_max);
           if (t.lo >= t.hi) continue;
           const double largest = std::max(std::abs(t.lo.get_d()), std::abs(t.hi.get_d()));
           if (t.hi - t.lo <= mpq_class(four_ulp(largest))) continue;
@@ -170,10 +200,11 @@ TEST_CASE("the walk visits every cell that the exact ray meets longer than 4 ulp
   REQUIRE(visited > count);
 }
 
-TEST_CASE("leaping over blocks changes neither the cells nor the crossings of the others", "[property]") {
+TEMPLATE_TEST_CASE("leaping over blocks changes neither the cells nor the crossings of the others",
+                   "[property]", DenseBlocks, SparseBlocks) {
   std::mt19937_64 random(2);
   for (std::int64_t n = 0, count = test::cases(20000, 1000000); n < count; ++n) {
-    const TestRay ray = random_ray(random);
+    const TestRay ray = random_ray<TestType>(random);
     const std::uint64_t salt = random();
     const auto wanted = [&](int level, const std::int32_t(&b)[3]) {
       return ((static_cast<std::uint64_t>(b[0] + 7 * b[1] + 49 * b[2] + 343 * level) * 0x9e3779b97f4a7c15u ^
@@ -181,13 +212,16 @@ TEST_CASE("leaping over blocks changes neither the cells nor the crossings of th
                   33 &
               3) != 0;
     };
-    const std::vector<Visit> all = walk_all(grid_ray(ray), 0, ray.t_max),
-                             some = walk_cells(grid_ray(ray), 0, ray.t_max, wanted);
+    const std::vector<Visit> all = walk_all<TestType>(grid_ray<TestType>(ray), 0, ray.t_max),
+                             some = walk_cells<TestType>(grid_ray<TestType>(ray), 0, ray.t_max, wanted);
     std::size_t k = 0;
     for (const Visit& v : all) {
-      const std::int32_t coarse[3] = {v.cell[0] >> 4, v.cell[1] >> 4, v.cell[2] >> 4},
-                         fine[3] = {v.cell[0] >> 2, v.cell[1] >> 2, v.cell[2] >> 2};
-      if (!wanted(0, coarse) || !wanted(1, fine)) continue;
+      bool leapt = false;
+      for (int level = 0; level < TestGrid<TestType>::kLevels - 1; ++level) {
+        const std::int32_t shift = TestType::kShifts[level];
+        leapt = leapt || !wanted(level, {v.cell[0] >> shift, v.cell[1] >> shift, v.cell[2] >> shift});
+      }
+      if (leapt) continue;
       REQUIRE(k < some.size());
       REQUIRE(some[k].cell == v.cell);
       REQUIRE(some[k].t_in == v.t_in);
@@ -197,16 +231,17 @@ TEST_CASE("leaping over blocks changes neither the cells nor the crossings of th
   }
 }
 
-TEST_CASE("a walk resumed in a cell has the state of the walk that came there") {
+TEMPLATE_TEST_CASE("a walk resumed in a cell has the state of the walk that came there", "", DenseBlocks,
+                   SparseBlocks) {
   std::mt19937_64 random(3);
   for (int n = 0; n < 5000; ++n) {
-    const TestRay ray = random_ray(random);
-    const GridRay grid = grid_ray(ray);
-    for (const Visit& v : walk_all(grid, 0, ray.t_max)) {
-      GridWalk walk;
-      if (!enter_grid(grid, kShifts[0], kWhole, 0, ray.t_max, walk)) continue;
+    const TestRay ray = random_ray<TestType>(random);
+    const GridRay grid = grid_ray<TestType>(ray);
+    for (const Visit& v : walk_all<TestType>(grid, 0, ray.t_max)) {
+      typename TestGrid<TestType>::Walk walk;
+      if (!enter_grid(grid, TestType::kShifts[0], TestGrid<TestType>().whole, 0, ray.t_max, walk)) continue;
       const std::int32_t cell[3] = {v.cell[0], v.cell[1], v.cell[2]};
-      resume_in_cell(grid, kShifts, cell, 0, walk);
+      resume_in_cell(grid, TestType::kShifts, cell, 0, walk);
       REQUIRE(walk.t_in == v.t_in);
       REQUIRE(walk.t_out() == v.t_out);
       // and goes on alike: leave the cell, reach the next
@@ -216,9 +251,9 @@ TEST_CASE("a walk resumed in a cell has the state of the walk that came there") 
   }
 }
 
-TEST_CASE("rays that cannot meet the grid do not enter it") {
+TEMPLATE_TEST_CASE("rays that cannot meet the grid do not enter it", "", DenseBlocks, SparseBlocks) {
   const double nan = std::nan("");
-  GridWalk walk;
+  typename TestGrid<TestType>::Walk walk;
   for (const auto& [o, d] : std::vector<std::pair<std::array<double, 3>, std::array<double, 3>>>{
            {{nan, 1, 1}, {1, 0, 0}},
            {{1, 1, 1}, {nan, nan, nan}},
@@ -226,9 +261,9 @@ TEST_CASE("rays that cannot meet the grid do not enter it") {
            {{-1, 30, 1}, {1, 0, 0}},
            {{1e300, 1e300, 1e300}, {1, 1, 1}},
            {{kInfinity, 1, 1}, {-1, 0, 0}}}) {
-    const double origin[3] = {o[0], o[1], o[2]}, direction[3] = {d[0], d[1], d[2]};
-    const GridRay ray = make_grid_ray(origin, direction, kDims);
+    const GridRay ray = grid_ray<TestType>(
+        {{o[0] + TestType::kFirst[0], o[1] + TestType::kFirst[1], o[2] + TestType::kFirst[2]}, d, kInfinity});
     INFO(o[0] << " " << d[0]);
-    CHECK_FALSE(enter_grid(ray, kShifts[0], kWhole, 0, kInfinity, walk));
+    CHECK_FALSE(enter_grid(ray, TestType::kShifts[0], TestGrid<TestType>().whole, 0, kInfinity, walk));
   }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "make_tree.h"
 #include "make_volume.h"
 #include "rays.h"
 
@@ -69,17 +70,22 @@ TEST_CASE("of rays shot from inside closed surfaces none escapes", "[property]")
     SampleType type;
     bool precise, smooth;
     double share;
+    bool tree = false;
   };
   for (const Case& c :
-       {Case{"marmitt", SampleType::f32, false, true, 0.4},
-        Case{"marmitt", SampleType::u8, false, false, 0.3}, Case{"marmitt", SampleType::f64, true, true, 0.1},
+       {Case{"marmitt", SampleType::f32, false, true, 0.3},
+        Case{"marmitt", SampleType::u8, false, false, 0.2}, Case{"marmitt", SampleType::f64, true, true, 0.1},
         Case{"neubauer", SampleType::f32, false, true, 0.1},
+        Case{"marmitt", SampleType::f32, false, true, 0.2, true},
+        Case{"marmitt", SampleType::f32, false, false, 0.1, true},
         Case{"linear", SampleType::u8, false, false, 0.1}}) {
     VolumeSurfaceOptions options = surface_options(c.smooth ? 0 : 57, widest_isa(), c.method);
     options.double_precision = c.precise;
     const std::function<double(std::int64_t, std::int64_t, std::int64_t)> f = c.smooth ? smooth : rough;
-    const VolumeSurface surface(make_volume({kN, kN, kN}, c.type, f), options);
-    INFO(c.method << " " << name_of(c.type));
+    const VolumeSurface surface(
+        c.tree ? make_full_tree({kN, kN, kN}, SparseType::f32, 100, f) : make_volume({kN, kN, kN}, c.type, f),
+        options);
+    INFO(c.method << " " << name_of(c.type) << (c.tree ? " in a tree" : ""));
     CHECK(count_escapes(surface, f, options.iso[0], 1e-3, static_cast<std::int64_t>(double(total) * c.share),
                         17) == 0);
   }
