@@ -10,14 +10,25 @@ foreach(folder volume implicit data_gen apps)
   file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${folder} ${isocast_include_dir}/isocast/${folder} SYMBOLIC)
 endforeach()
 
-add_library(isocast_options INTERFACE)
-target_include_directories(isocast_options INTERFACE ${isocast_include_dir})
-target_compile_options(isocast_options INTERFACE
-  -Wall -Wextra -Wno-psabi -ffp-contract=off -fno-math-errno -fno-trapping-math
+# Users of an installation compile the headers' inline functions too, and the linker keeps one copy of each: so they
+# share what decides the bits, and the sanitizers' libraries, but no other option.
+set(isocast_user_options -ffp-contract=off)
+set(isocast_sanitizers)
+if(ISOCAST_SANITIZE)
+  set(isocast_sanitizers -fsanitize=address,undefined)
+endif()
+set(isocast_own_options -Wall -Wextra -Wno-psabi -fno-math-errno -fno-trapping-math
   $<$<BOOL:${ISOCAST_WARNINGS_AS_ERRORS}>:-Werror>
-  $<$<BOOL:${ISOCAST_SANITIZE}>:-fsanitize=address,undefined;-fno-sanitize-recover=undefined;-fno-omit-frame-pointer>)
-target_link_options(isocast_options INTERFACE $<$<BOOL:${ISOCAST_SANITIZE}>:-fsanitize=address,undefined>)
-target_compile_definitions(isocast_options INTERFACE $<$<BOOL:${ISOCAST_SANITIZE}>:ISOCAST_SANITIZE>)
+  $<$<BOOL:${ISOCAST_SANITIZE}>:${isocast_sanitizers};-fno-sanitize-recover=undefined;-fno-omit-frame-pointer>)
+
+add_library(isocast_options INTERFACE)
+target_compile_features(isocast_options INTERFACE cxx_std_20)
+target_include_directories(isocast_options INTERFACE
+  $<BUILD_INTERFACE:${isocast_include_dir}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_compile_options(isocast_options INTERFACE ${isocast_user_options} "$<BUILD_INTERFACE:${isocast_own_options}>")
+target_link_options(isocast_options INTERFACE ${isocast_sanitizers})
+target_compile_definitions(isocast_options INTERFACE
+  $<BUILD_INTERFACE:$<$<BOOL:${ISOCAST_SANITIZE}>:ISOCAST_SANITIZE>>)
 
 # A static library of the project: isocast_add_library(NAME sources...), linked by name.
 function(isocast_add_library target)
@@ -26,7 +37,8 @@ function(isocast_add_library target)
 endfunction()
 
 # An optional part with heavy dependencies, opened at run time by open_module(NAME): isocast_add_module(NAME sources...).
-set(ISOCAST_MODULE_DIR ${CMAKE_BINARY_DIR}/lib/isocast)
+# The build tree has the layout of an installation, so that a program finds its modules in both.
+set(ISOCAST_MODULE_DIR ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/isocast)
 function(isocast_add_module name)
   add_library(isocast_module_${name} MODULE ${ARGN})
   target_link_libraries(isocast_module_${name} PRIVATE isocast_options)

@@ -3,6 +3,7 @@
 #include <isocast/base/interrupt.h>
 #include <isocast/base/output_file.h>
 #include <isocast/base/progress.h>
+#include <isocast/data_gen/volume_header.h>
 #include <isocast/data_gen/write.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -21,47 +23,34 @@ static_assert(std::endian::native == std::endian::little, "samples are written a
 
 namespace {
 
-// How values become stored numbers. Floats stay: scale 1, lo 0.
+// How values become stored numbers: lowest + (value - lo) * scale in integers; floats stay.
 struct Mapping {
   double lo = 0, scale = 1, slope = 1;
 };
 
+using Convert = void (*)(std::span<const double>, const Mapping&, std::byte* out);
+
 template <class S> void convert(std::span<const double> values, const Mapping& mapping, std::byte* out) {
   for (const double value : values) {
     S stored;
-    if constexpr (std::is_floating_point_v<S>) {
-      stored = static_cast<S>(value);
-    } else {
+    if constexpr (std::is_integral_v<S>) {
       // a NaN fails the first comparison
-      const double scaled = std::floor((value - mapping.lo) * mapping.scale + 0.5),
-                   largest = std::numeric_limits<S>::max();
-      stored = scaled > 0 ? static_cast<S>(std::min(scaled, largest)) : S(0);
+      constexpr double kLowest = std::numeric_limits<S>::lowest(), kLargest = std::numeric_limits<S>::max();
+      const double scaled = std::floor((value - mapping.lo) * mapping.scale + 0.5);
+      stored = static_cast<S>(scaled > 0 ? std::min(scaled + kLowest, kLargest) : kLowest);
+    } else {
+      stored = static_cast<S>(value);
     }
     std::memcpy(out, &stored, sizeof stored);
     out += sizeof stored;
   }
 }
 
-// The types that can be written.
-struct StoredType {
-  SampleType type;
-  std::string_view nrrd_name;
-  double largest;  // of integers
-  void (*convert)(std::span<const double>, const Mapping&, std::byte* out);
-};
-constexpr StoredType kStoredTypes[] = {{SampleType::u8, "uint8", 255, convert<std::uint8_t>},
-                                       {SampleType::u16, "uint16", 65535, convert<std::uint16_t>},
-                                       {SampleType::f32, "float", 0, convert<float>},
-                                       {SampleType::f64, "double", 0, convert<double>}};
-
-const StoredType& stored_type(SampleType type) {
-  const auto found = std::ranges::find(kStoredTypes, type, &StoredType::type);
-  if (found != std::end(kStoredTypes)) return *found;
-  throw InputError(fmt::format("found the sample type {}, expected u8, u16, f32 or f64 (the nearest is {})",
-                               name_of(type),
-                               type == SampleType::i8    ? "u8"
-                               : type == SampleType::f16 ? "f32"
-                                                         : "u16"));
+Convert convert_to(SampleType type) {
+  return visit_sample_type(type, []<class S>(SampleTag<S>) -> Convert {
+    if constexpr (std::is_same_v<S, Half>) return convert<_Float16>;
+    else return convert<S>;
+  });
 }
 
 // Calls visit(first, last) for slabs of rows, in order.
@@ -76,7 +65,7 @@ void for_slabs(const SampleGrid& grid, std::int64_t rows_at_once, const char* wh
   }
 }
 
-// The range that becomes 0 ... largest: as asked for, else that of a first pass over the samples.
+// The range that becomes lowest ... largest: as asked for, else that of a first pass over the samples.
 ValueRange mapped_range(const Field& field, const SampleGrid& grid, const WriteOptions& options,
                         std::int64_t rows_at_once) {
   if (options.range) return *options.range;
@@ -88,69 +77,43 @@ ValueRange mapped_range(const Field& field, const SampleGrid& grid, const WriteO
   return found.lo <= found.hi ? ValueRange{found.lo, found.hi} : ValueRange{0, 0};
 }
 
-// A range of one value maps it to 0, and 0 back to it.
-Mapping make_mapping(const ValueRange& range, double largest) {
-  const double extent = range.hi - range.lo;
+// A range of one value maps it to the lowest number, and that back to it.
+Mapping make_mapping(const ValueRange& range, const IntegerRange& stored) {
+  const double extent = range.hi - range.lo, steps = stored.largest - stored.lowest;
   if (!(extent >= 0) || !std::isfinite(extent))
     throw InputError(
         fmt::format("found the range {},{}, expected a finite LO not above HI", range.lo, range.hi));
-  return extent > 0 ? Mapping{range.lo, largest / extent, extent / largest} : Mapping{range.lo, 0, 1};
+  return extent > 0 ? Mapping{range.lo, steps / extent, extent / steps} : Mapping{range.lo, 0, 1};
 }
 
-std::string nrrd_header(const SampleGrid& grid, const StoredType& stored, const Mapping& mapping) {
-  std::string header = fmt::format(
-      "NRRD0005\n# sampled by isocast\ntype: {}\ndimension: 3\nspace dimension: 3\nsizes: {} {} {}\nendian: "
-      "little\n"
-      "encoding: raw\nspace directions: ({},0,0) (0,{},0) (0,0,{})\nspace origin: ({},{},{})\n",
-      stored.nrrd_name, grid.dims[0], grid.dims[1], grid.dims[2], grid.spacing(0), grid.spacing(1),
-      grid.spacing(2), grid.domain.lo[0], grid.domain.lo[1], grid.domain.lo[2]);
-  if (!is_float(stored.type))
-    header += fmt::format("old min: {}\nold max: {}\nisocast_slope:={}\nisocast_intercept:={}\n", mapping.lo,
-                          mapping.lo + stored.largest * mapping.slope, mapping.slope, mapping.lo);
-  // a comment fills up to whole multiples of 64 bytes, so that readers can map the samples in place
-  constexpr std::size_t kAlignment = 64;
-  const std::size_t rest = (header.size() + 3) % kAlignment;  // "#" and two line ends follow
-  return header + "#" + std::string((kAlignment - rest) % kAlignment, ' ') + "\n\n";
-}
-
-}  // namespace
-
-void check_volume_extension(const fs::path& target) {
-  if (target.extension() != ".nrrd" && target.extension() != ".raw")
-    throw InputError(
-        fmt::format("found the output {}, expected a name that ends in .nrrd or .raw", target.string()));
-}
-
-WriteReport write_field(const Field& field, const SampleGrid& grid, const fs::path& target,
+// Header, then slab after slab.
+template <std::string (*header)(const StoredVolume&)>
+WriteReport write_slabs(const Field& field, const SampleGrid& grid, const fs::path& target,
                         const WriteOptions& options) {
-  // everything that can be refused is refused before the first sample
-  check_volume_extension(target);
-  const StoredType& stored = stored_type(options.type);
-  const auto sample_bytes = static_cast<std::int64_t>(size_of(options.type));
-  check_grid(grid, sample_bytes);
   OutputFile file(target);
   std::ofstream out(file.temporary(), std::ios::binary);
 
   // how values are stored
-  const std::int64_t row_bytes = grid.dims[0] * sample_bytes;
+  const std::int64_t row_bytes = grid.dims[0] * static_cast<std::int64_t>(size_of(options.type));
   const std::int64_t rows_at_once = std::clamp(options.slab_bytes / row_bytes, std::int64_t{1}, grid.rows());
+  const Convert store_values = convert_to(options.type);
   WriteReport report;
   Mapping mapping;
   if (!is_float(options.type)) {
-    mapping = make_mapping(mapped_range(field, grid, options, rows_at_once), stored.largest);
+    const IntegerRange stored = integer_range(options.type);
+    mapping = make_mapping(mapped_range(field, grid, options, rows_at_once), stored);
     report.slope = mapping.slope;
-    report.intercept = mapping.lo;
+    report.intercept = mapping.lo - mapping.slope * stored.lowest;
   }
 
-  // header, then slab after slab
-  if (target.extension() == ".nrrd") out << nrrd_header(grid, stored, mapping);
+  out << header({grid, options.type, report.slope, report.intercept});
   std::vector<std::byte> slab(static_cast<std::size_t>(rows_at_once * row_bytes));
   const auto check_written = [&] {
     if (!out) throw InputError(fmt::format("cannot write {}: {}", target.string(), std::strerror(errno)));
   };
   for_slabs(grid, rows_at_once, "sampling", [&](std::int64_t first, std::int64_t last) {
     const auto store = [&](std::int64_t row, std::span<const double> values) {
-      stored.convert(values, mapping, slab.data() + (row - first) * row_bytes);
+      store_values(values, mapping, slab.data() + (row - first) * row_bytes);
     };
     report.values = merged(report.values, sample_rows(field, grid, first, last, store));
     out.write(reinterpret_cast<const char*>(slab.data()), (last - first) * row_bytes);
@@ -161,6 +124,58 @@ WriteReport write_field(const Field& field, const SampleGrid& grid, const fs::pa
   check_written();
   file.commit();
   return report;
+}
+
+constexpr SampleType kAllButHalf[] = {SampleType::u8,  SampleType::i8,  SampleType::u16, SampleType::i16,
+                                      SampleType::u32, SampleType::i32, SampleType::f32, SampleType::f64};
+constexpr SampleType kAll[] = {SampleType::u8,  SampleType::i8,  SampleType::u16,
+                               SampleType::i16, SampleType::u32, SampleType::i32,
+                               SampleType::f16, SampleType::f32, SampleType::f64};
+
+// A format: its types, those of a kind by size, and its writer, which is given one of them and a good grid.
+struct Format {
+  std::string_view extension;
+  std::span<const SampleType> types;
+  WriteReport (*write)(const Field&, const SampleGrid&, const fs::path&, const WriteOptions&);
+};
+constexpr Format kFormats[] = {{".nrrd", kAllButHalf, write_slabs<nrrd_header>},
+                               {".raw", kAll, write_slabs<no_header>},
+                               {".nii", kAllButHalf, write_slabs<nifti_header>},
+                               {".mha", kAllButHalf, write_slabs<metaimage_header>}};
+
+const Format& format_of(const fs::path& target) {
+  const auto found = std::ranges::find(kFormats, target.extension().string(), &Format::extension);
+  if (found != std::end(kFormats)) return *found;
+  std::string extensions;
+  for (const Format& format : kFormats) extensions += fmt::format(" {}", format.extension);
+  throw InputError(
+      fmt::format("found the output {}, expected a name that ends in one of{}", target.string(), extensions));
+}
+
+// The nearest type is the first of the same kind that is large enough.
+void check_type(const Format& format, SampleType type) {
+  if (std::ranges::find(format.types, type) != format.types.end()) return;
+  const auto nearest = std::ranges::find_if(format.types, [&](SampleType t) {
+    return is_float(t) == is_float(type) && size_of(t) >= size_of(type);
+  });
+  std::string names;
+  for (const SampleType t : format.types) names += fmt::format(" {}", name_of(t));
+  throw InputError(fmt::format("found the sample type {} for {}, expected one of{} (the nearest is {})",
+                               name_of(type), format.extension, names,
+                               name_of(nearest == format.types.end() ? format.types.back() : *nearest)));
+}
+
+}  // namespace
+
+void check_volume_extension(const fs::path& target) { (void)format_of(target); }
+
+WriteReport write_field(const Field& field, const SampleGrid& grid, const fs::path& target,
+                        const WriteOptions& options) {
+  // everything that can be refused is refused before the first sample
+  const Format& format = format_of(target);
+  check_type(format, options.type);
+  check_grid(grid, static_cast<std::int64_t>(size_of(options.type)));
+  return format.write(field, grid, target, options);
 }
 
 }  // namespace isocast

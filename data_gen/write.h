@@ -14,28 +14,28 @@ struct ValueRange {
 };
 
 struct WriteOptions {
-  SampleType type = SampleType::f32;     // u8, u16, f32 or f64
-  std::optional<ValueRange> range = {};  // of integer types, mapped to 0 ... largest; else the sampled range
+  SampleType type = SampleType::f32;
+  std::optional<ValueRange> range = {};  // becomes all numbers of an integer type; else the sampled range
   std::int64_t slab_bytes = std::int64_t{64} << 20;  // of samples in memory at once; at least a row is
 };
 
-/// What was written: values are slope * stored + intercept. NaN became 0 in integer types.
+/// What was written: values are slope * stored + intercept. NaN became the lowest integer.
 struct WriteReport {
   ValueStatistics values;
   double slope = 1, intercept = 0;
   std::int64_t bytes = 0;
 };
 
-/// The extensions that write_field knows: ".nrrd" and ".raw". Throws InputError for any other, naming these.
+/// The extensions that write_field knows: .nrrd .raw .nii .mha. Throws InputError for any other, naming
+/// these.
 void check_volume_extension(const std::filesystem::path& target);
 
 /// Samples `field` and writes it little-endian, x fastest.
 ///
-/// .nrrd     attached header, raw encoding; origin and directions place sample (0, 0, 0) at domain.lo and the
-///           last one at domain.hi; integer types carry "old min" and "old max", and isocast_slope and
-///           isocast_intercept
-/// .raw      the samples and nothing else
-/// integers  round((v - lo) / (hi - lo) * largest), clamped
+/// headers   those of volume_header.h, none for .raw: sample (0, 0, 0) is at domain.lo and the last one at
+///           domain.hi; values are scaled as the report says
+/// types     all but f16, which only .raw has
+/// integers  lowest + round((v - lo) / (hi - lo) * (largest - lowest)), clamped
 /// throws    InputError for another extension or type, a bad grid or range, or when the file cannot be
 ///           written; what was there before stays until the new file is complete
 WriteReport write_field(const Field& field, const SampleGrid& grid, const std::filesystem::path& target,

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/apps/isocast/volume_options.h>
+#include <isocast/base/mapped_file.h>
 #include <isocast/volume/io/read_volume.h>
 #include <isocast/volume/statistics.h>
 
@@ -29,13 +30,18 @@ struct Placement {
   std::array<Double3, 3> axes;
 };
 
-// A negative zero would only puzzle: adding 0 makes it 0.
-Placement placement_of(const Transform& world_from_grid) {
+// The origin is the first sample's place; of a sparse grid, the corner of the box of its active ones. A
+// negative zero would only puzzle: adding 0 makes it 0.
+Placement placement_of(const Volume& volume) {
   Placement placement;
+  Double3 first = {0, 0, 0};
+  if (volume.tree && volume.tree->active_count() > 0)
+    std::ranges::copy(volume.tree->first_active(), first.begin());
+  const Double3 origin = volume.world_from_grid.point(first);
   for (int a = 0; a < 3; ++a) {
     Double3 step;
-    for (int r = 0; r < 3; ++r) step[r] = world_from_grid.m[r][a] + 0.0;
-    placement.origin[a] = world_from_grid.m[a][3] + 0.0;
+    for (int r = 0; r < 3; ++r) step[r] = volume.world_from_grid.m[r][a] + 0.0;
+    placement.origin[a] = origin[a] + 0.0;
     placement.spacing[a] = length(step);
     placement.axes[a] = normalized(step);
   }
@@ -44,28 +50,38 @@ Placement placement_of(const Transform& world_from_grid) {
 
 double megabytes(const Volume& volume) { return static_cast<double>(volume.bytes()) / 1e6; }
 
+// What only sparse grids have.
+Json tree_json(const Volume& volume) {
+  const SparseTree& tree = *volume.tree;
+  return {{"name", volume.grid_name},           {"class", volume.grid_class},
+          {"other_grids", volume.other_grids},  {"index_first", tree.first_active()},
+          {"index_last", tree.last_active()},   {"active_samples", tree.active_count()},
+          {"leaves", tree.leaves().size()},     {"active_tiles", tree.active_tiles().size()},
+          {"half_on_disk", volume.half_on_disk}};
+}
+
 void print_json(const Volume& volume, const VolumeStatistics& statistics) {
-  const Placement placement = placement_of(volume.world_from_grid);
+  const Placement placement = placement_of(volume);
   Json percentiles = Json::object();
   for (const Percentile& p : statistics.percentiles) percentiles[fmt::format("{}", p.percent)] = p.value;
   const Histogram& histogram = statistics.histogram;
-  const Json info = {
-      {"format", volume.format},
-      {"dims", volume.dims},
-      {"type", name_of(volume.type)},
-      {"spacing", placement.spacing},
-      {"origin", placement.origin},
-      {"axes", placement.axes},
-      {"slope", volume.slope},
-      {"intercept", volume.intercept},
-      {"range", {statistics.min, statistics.max}},
-      {"nan_count", statistics.nan_count},
-      {"infinite_count", statistics.infinite_count},
-      {"histogram", {{"lo", histogram.lo}, {"hi", histogram.hi}, {"counts", histogram.counts}}},
-      {"percentiles", percentiles},
-      {"suggested_iso", statistics.suggested_iso},
-      {"memory_mb", megabytes(volume)},
-      {"mapped", volume.mapped}};
+  Json info = {{"format", volume.format},
+               {"dims", volume.dims},
+               {"type", volume.type_name()},
+               {"spacing", placement.spacing},
+               {"origin", placement.origin},
+               {"axes", placement.axes},
+               {"slope", volume.slope},
+               {"intercept", volume.intercept},
+               {"range", {statistics.min, statistics.max}},
+               {"nan_count", statistics.nan_count},
+               {"infinite_count", statistics.infinite_count},
+               {"histogram", {{"lo", histogram.lo}, {"hi", histogram.hi}, {"counts", histogram.counts}}},
+               {"percentiles", percentiles},
+               {"suggested_iso", statistics.suggested_iso},
+               {"memory_mb", megabytes(volume)},
+               {"mapped", volume.mapped}};
+  if (volume.tree) info["grid"] = tree_json(volume);
   fmt::print("{}\n", info.dump(2));
 }
 
@@ -89,7 +105,7 @@ void print_histogram(const Histogram& histogram) {
 }
 
 void print_table(const std::string& file, const Volume& volume, const VolumeStatistics& statistics) {
-  const Placement placement = placement_of(volume.world_from_grid);
+  const Placement placement = placement_of(volume);
   const auto row = [](std::string_view name, const std::string& value) {
     fmt::print("{:<10} {}\n", name, value);
   };
@@ -97,7 +113,18 @@ void print_table(const std::string& file, const Volume& volume, const VolumeStat
   row("file", file);
   row("format", volume.format);
   row("dims", fmt::format("{} x {} x {}", volume.dims[0], volume.dims[1], volume.dims[2]));
-  row("type", std::string(name_of(volume.type)));
+  row("type",
+      fmt::format("{}{}", volume.type_name(), volume.half_on_disk ? ", saved as half precision" : ""));
+  if (volume.tree) {
+    const SparseTree& tree = *volume.tree;
+    row("grid",
+        fmt::format("'{}'{}{}", volume.grid_name, volume.grid_class.empty() ? "" : ", ", volume.grid_class));
+    if (!volume.other_grids.empty()) row("others", fmt::format("'{}'", fmt::join(volume.other_grids, "' '")));
+    row("active",
+        fmt::format("{:.0f} samples from ({}) to ({}), in {} leaves and {} tiles", tree.active_count(),
+                    fmt::join(tree.first_active(), " "), fmt::join(tree.last_active(), " "),
+                    tree.leaves().size(), tree.active_tiles().size()));
+  }
   row("memory", fmt::format("{:.4g} MB{}", megabytes(volume), volume.mapped ? ", mapped from the file" : ""));
   row("spacing", numbers(placement.spacing));
   row("origin", numbers(placement.origin));
@@ -119,6 +146,7 @@ void print_table(const std::string& file, const Volume& volume, const VolumeStat
 void run(const InfoOptions& options) {
   const Volume volume = read_volume(options.file, options.read);
   const VolumeStatistics statistics = statistics_of(volume);
+  check_mapped_files();
   if (options.json) print_json(volume, statistics);
   else print_table(options.file, volume, statistics);
 }
@@ -129,7 +157,8 @@ void add_info(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("info", "What a volume file holds: dimensions, type, range, histogram, iso-values");
   const auto options = std::make_shared<InfoOptions>();
-  verb->add_option("FILE", options->file, "A volume: .raw .nrrd .nhdr .nii .nii.gz .vti")->required();
+  verb->add_option("FILE", options->file, "A volume: .raw .nrrd .nhdr .mhd .mha .nii .nii.gz .vti .vdb .nvdb")
+      ->required();
   verb->add_flag("--json", options->json, "One object on stdout");
   add_read_options(*verb, options->read);
   verb->callback([options] { run(*options); });

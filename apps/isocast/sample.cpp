@@ -4,6 +4,7 @@
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/base/error.h>
 #include <isocast/data_gen/test_volumes.h>
+#include <isocast/data_gen/volume_header.h>
 #include <isocast/data_gen/write.h>
 #include <isocast/implicit/expression/catalogue.h>
 
@@ -52,7 +53,9 @@ Source find_source(const Request& request) {
 WriteOptions write_options(const Request& request) {
   WriteOptions options;
   const std::optional<SampleType> type = sample_type_from_name(request.type);
-  if (!type) throw InputError(fmt::format("--type: found '{}', expected u8, u16, f32 or f64", request.type));
+  if (!type)
+    throw InputError(
+        fmt::format("--type: found '{}', expected one of u8 i8 u16 i16 u32 i32 f16 f32 f64", request.type));
   options.type = *type;
   if (!request.range.empty()) {
     const std::vector<double> range = parse_numbers(request.range, "--range");
@@ -74,7 +77,8 @@ void print_report(const Request& request, const SampleGrid& grid, SampleType typ
              name_of(type), range, report.bytes);
   if (!is_float(type)) fmt::print(", value = {} * stored + {}", report.slope, report.intercept);
   if (report.values.nan_count > 0)
-    fmt::print(", {} NaN{}", report.values.nan_count, is_float(type) ? "" : " stored as 0");
+    fmt::print(", {} NaN{}", report.values.nan_count,
+               is_float(type) ? "" : fmt::format(" stored as {}", integer_range(type).lowest));
   if (request.output.ends_with(".raw"))
     fmt::print(", to be read with --dims {},{},{} --type {}", grid.dims[0], grid.dims[1], grid.dims[2],
                name_of(type));
@@ -110,8 +114,9 @@ void add_sample(CLI::App& app) {
   verb->add_option("INPUT", request->input, input_help())->required();
   verb->add_option("--resolution", request->resolution, "Samples along the axes, N or X,Y,Z")
       ->capture_default_str();
-  verb->add_option("--type", request->type, "u8, u16, f32 or f64")->capture_default_str();
-  verb->add_option("-o,--output", request->output, "OUT.nrrd or OUT.raw")->required();
+  verb->add_option("--type", request->type, "u8 i8 u16 i16 u32 i32 f32 f64, of .raw also f16")
+      ->capture_default_str();
+  verb->add_option("-o,--output", request->output, "OUT.nrrd, OUT.raw, OUT.nii or OUT.mha")->required();
   verb->add_option(
       "--domain", request->domain,
       "LO,HI or XLO,XHI,YLO,YHI,ZLO,ZHI of the first and last samples [-1,1, or the catalogue's]");
@@ -119,7 +124,7 @@ void add_sample(CLI::App& app) {
   many(verb->add_option("--set", request->settings, "An option of a test volume, such as seed=1"));
   verb->add_option("--time", request->time, "The time w of a formula")->capture_default_str();
   verb->add_option("--range", request->range,
-                   "LO,HI: the values that become 0 and the largest integer [the sampled range]");
+                   "LO,HI: the values that become the lowest and the largest integer [the sampled range]");
   verb->callback([request] { run(*request); });
 }
 

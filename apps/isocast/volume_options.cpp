@@ -18,6 +18,7 @@ void add_read_options(CLI::App& verb, ReadOptions& options) {
   add("--endian", "Byte order (little)", [&options](const std::string& text) {
     options.big_endian = text == "big";
   })->check(CLI::IsMember({"big", "little"}));
+  verb.add_option("--grid", options.grid, "Name of the grid in a .vdb or .nvdb file (the first)");
   verb.add_option("--skip", options.skip, "Bytes before the samples (0)")->group("Raw files");
 }
 

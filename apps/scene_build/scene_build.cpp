@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <isocast/apps/scene_build/scene_build.h>
 #include <isocast/base/error.h>
+#include <isocast/base/mapped_file.h>
 #include <isocast/volume/statistics.h>
 
 #include <chrono>
@@ -14,6 +15,7 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 
 std::vector<double> best_iso(const Volume& volume, const std::filesystem::path& file) {
   const VolumeStatistics statistics = statistics_of(volume);
+  check_mapped_files();
   if (statistics.suggested_iso.empty())
     throw InputError(fmt::format(
         "{}: no iso-value suggests itself (it has no two different finite values); give one with --iso",

@@ -11,7 +11,7 @@ namespace isocast {
 
 /// How the scene is evaluated, the same for all its objects.
 struct EvaluationSettings {
-  Isa isa = Isa::scalar;
+  Isa isa = widest_isa();
   bool double_precision = false;
 };
 

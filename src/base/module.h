@@ -2,9 +2,13 @@
 // that are opened when a scene first needs them.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace isocast {
+
+/// Where a file of the folder of modules lies, in the build tree or in an installation; empty if nowhere.
+[[nodiscard]] std::filesystem::path find_part(const std::string& file);
 
 /// The entry point of module `name`: what its `extern "C" const void* isocast_module()` returns. Opened once
 /// per process. Throws InputError with `needed_for` in the sentence when the module was not built or cannot

@@ -1,4 +1,5 @@
 #include <isocast/base/error.h>
+#include <isocast/base/mapped_file.h>
 #include <isocast/render/render.h>
 #include <isocast/render/shade.h>
 #include <oneapi/tbb/combinable.h>
@@ -193,6 +194,7 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
     if (progress) progress->add();
   });
   if (stop.stop_requested()) throw Interrupted();
+  check_mapped_files();
   RenderCounts counts;
   workers.combine_each([&](const Worker& worker) { counts += worker.counts; });
   return counts;

@@ -22,8 +22,8 @@ struct RenderCounts {
 };
 
 /// Renders tile by tile on TBB's threads. The film's bytes do not depend on the number of threads or the
-/// order of tiles. Throws Interrupted when `stop` is requested; the film is then incomplete. progress may be
-/// null; it counts tiles.
+/// order of tiles. Throws Interrupted when `stop` is requested, and InputError when a mapped file has shrunk;
+/// the film is then worth nothing. progress may be null; it counts tiles.
 RenderCounts render(const Scene& scene, const View& view, const RenderSettings& settings, Film& film,
                     std::stop_token stop = {}, Progress* progress = nullptr);
 

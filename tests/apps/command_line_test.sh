@@ -24,7 +24,10 @@ expect() {
 
 expect 0 "wrote" sample @tangle --resolution 40 --type f32 -o tangle.nrrd
 expect 0 "wrote" sample gyroid --resolution 33 --type u8 -o gyroid_33x33x33_uint8.raw
+expect 0 "wrote" sample gyroid --resolution 33 --type i16 -o gyroid.mha
+expect 0 "wrote" sample gyroid --resolution 33 --type f64 -o gyroid.nii
 expect 0 '"suggested_iso"' info tangle.nrrd --json
+expect 0 "metaimage" info gyroid.mha
 expect 0 '"default"' methods --json
 expect 0 '"barth_sextic"' surfaces --json
 expect 0 '"left_out"' render tangle.nrrd --iso 0 --size 64x48 -o tangle.png --stats -
@@ -38,6 +41,8 @@ expect 2 "folder" info .
 expect 2 ".png or .exr" render tangle.nrrd -o a.jpg
 expect 2 "the folder nowhere does not exist" render tangle.nrrd -o nowhere/a.png
 expect 2 "the folder nowhere does not exist" render tangle.nrrd -o a.png --stats nowhere/a.json
+expect 2 "one of .nrrd .raw .nii .mha" sample gyroid -o a.vol
+expect 2 "the nearest is f32" sample gyroid --type f16 -o a.mha
 expect 2 "need an .exr file" render tangle.nrrd -o a.png --aov depth
 expect 2 "proves anything" render tangle.nrrd -o a.exr --aov certificate
 expect 2 "midpoint, linear, neubauer, schwarze, marmitt" render tangle.nrrd -o a.png --method newton

@@ -155,9 +155,10 @@ TEST_CASE("what cannot be written is refused and leaves the old file") {
     write_field(formula("x"), grid, target, options);
   };
   CHECK_THROWS_WITH(write_field(formula("x"), grid_of(2, 2, 2), "a.vdb", {}),
-                    "found the output a.vdb, expected a name that ends in .nrrd or .raw");
-  CHECK_THROWS_WITH(write(grid_of(2, 2, 2), {.type = SampleType::i32}),
-                    "found the sample type i32, expected u8, u16, f32 or f64 (the nearest is u16)");
+                    "found the output a.vdb, expected a name that ends in one of .nrrd .raw .nii .mha");
+  CHECK_THROWS_WITH(write_field(formula("x"), grid_of(2, 2, 2), folder / "a.nrrd", {.type = SampleType::f16}),
+                    "found the sample type f16 for .nrrd, expected one of u8 i8 u16 i16 u32 i32 f32 f64 (the "
+                    "nearest is f32)");
   CHECK_THROWS_WITH(write(grid_of(2, 1, 2), {}),
                     "found a resolution of 1 along y, expected 2 to 1048576 samples");
   CHECK_THROWS_WITH(write(grid_of(2, 2, 1 << 21), {}),

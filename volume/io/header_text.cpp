@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <isocast/base/text.h>
 #include <isocast/volume/io/header_text.h>
 
 #include <algorithm>
@@ -33,6 +34,13 @@ std::vector<std::string_view> split_words(std::string_view text, std::string_vie
     words.push_back(text.substr(begin, end - begin));
   }
   return words;
+}
+
+std::filesystem::path data_file_beside(const std::filesystem::path& header, std::string_view name) {
+  if (name == "LIST" || name.starts_with("LIST ") || name.find('%') != name.npos)
+    throw read_error(header,
+                     "its samples lie in several files (" + in_quotes(name) + "), expected one data file");
+  return header.parent_path() / name;
 }
 
 template <class N> std::optional<N> to_number(std::string_view word) {

@@ -21,6 +21,11 @@ namespace isocast {
 [[nodiscard]] std::vector<std::string_view> split_words(std::string_view text,
                                                         std::string_view separators = " \t\r\n");
 
+/// The one file of samples that a text header names, relative to the header's folder. Throws InputError for
+/// names that mean several files: LIST, or a pattern with %.
+[[nodiscard]] std::filesystem::path data_file_beside(const std::filesystem::path& header,
+                                                     std::string_view name);
+
 /// A word that is a number as a whole, for N int64_t, uint64_t and double ("nan" and "inf" are numbers); else
 /// nothing.
 template <class N> [[nodiscard]] std::optional<N> to_number(std::string_view word);

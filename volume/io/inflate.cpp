@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <isocast/base/interrupt.h>
+#include <isocast/base/mapped_file.h>
 #include <isocast/volume/io/header_text.h>
 #include <isocast/volume/io/inflate.h>
 #include <zlib.h>
@@ -39,10 +40,7 @@ std::size_t Inflater::read(std::span<std::byte> out) {
     filled += room - stream_->avail_out;
     if (code == Z_STREAM_END) finish_member();
     else if (code == Z_BUF_ERROR && fed_ == compressed_.size()) finished_ = true;
-    else if (code != Z_OK && code != Z_BUF_ERROR)
-      throw read_error(
-          path_, fmt::format("the compressed data is damaged near its byte {} ({})", fed_ - stream_->avail_in,
-                             stream_->msg ? stream_->msg : "not a zlib or gzip stream"));
+    else if (code != Z_OK && code != Z_BUF_ERROR) throw damage();
   }
   return filled;
 }
@@ -54,6 +52,13 @@ std::uint64_t Inflater::skip(std::uint64_t bytes) {
     skipped +=
         read({ignored, static_cast<std::size_t>(std::min<std::uint64_t>(sizeof ignored, bytes - skipped))});
   return skipped;
+}
+
+InputError Inflater::damage() const {
+  check_mapped_files();  // zeros of a file that shrank are no fault of the stream
+  return read_error(
+      path_, fmt::format("the compressed data is damaged near its byte {} ({})", fed_ - stream_->avail_in,
+                         stream_->msg ? stream_->msg : "not a zlib or gzip stream"));
 }
 
 void Inflater::finish_member() {

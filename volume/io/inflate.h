@@ -1,6 +1,8 @@
 // Compressed bytes as a stream of plain ones.
 #pragma once
 
+#include <isocast/base/error.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -10,11 +12,6 @@
 struct z_stream_s;
 
 namespace isocast {
-
-/// The most that a deflate stream of so many bytes can hold: it packs at most 1032 to one.
-[[nodiscard]] constexpr std::uint64_t most_inflated_bytes(std::uint64_t compressed) {
-  return 1032 * (compressed + 1);
-}
 
 /// Reads on in a zlib stream or in gzip members that follow one another, told apart by their first bytes.
 /// `compressed` must outlive it. Memory does not depend on what the stream holds.
@@ -33,6 +30,7 @@ class Inflater {
   [[nodiscard]] std::uint64_t compressed_bytes() const { return compressed_.size(); }
 
  private:
+  [[nodiscard]] InputError damage() const;
   void finish_member();
 
   std::span<const std::byte> compressed_;

@@ -52,16 +52,6 @@ Transform world_from_grid(const NrrdHeader& header, const std::vector<NrrdAxis>&
   return transform;
 }
 
-// The file with the samples: the header's own, or one other beside it.
-std::filesystem::path data_path(const NrrdHeader& header, const std::filesystem::path& path) {
-  if (header.data_file.empty()) return path;
-  const std::string& name = header.data_file;
-  if (name == "LIST" || name.starts_with("LIST ") || name.find('%') != name.npos)
-    throw read_error(path,
-                     "its samples lie in several files (" + in_quotes(name) + "), expected one data file");
-  return path.parent_path() / name;
-}
-
 // Where the samples' encoding begins: behind the header and the lines to skip.
 std::uint64_t data_offset(const NrrdHeader& header, std::span<const std::byte> bytes,
                           const std::filesystem::path& path) {
@@ -82,9 +72,7 @@ void read_samples(Volume& volume, const NrrdHeader& header, const MappedFile& fi
   const std::uint64_t offset = data_offset(header, file.bytes, path);
   const bool big_endian = header.big_endian.value_or(false);
   if (header.encoding == "raw") {
-    const std::uint64_t bytes = checked_bytes(volume, path), rest = file.bytes.size() - offset;
-    if (header.byte_skip < 0)
-      return place_samples(volume, file, offset + (rest > bytes ? rest - bytes : 0), big_endian, path);
+    if (header.byte_skip < 0) return place_last_samples(volume, file, offset, big_endian, path);
     return place_samples(volume, file, offset + static_cast<std::uint64_t>(header.byte_skip), big_endian,
                          path);
   }
@@ -119,8 +107,8 @@ Volume read_nrrd(const std::filesystem::path& path) {
   volume.intercept = header.intercept;
 
   // the samples
-  const std::filesystem::path source = data_path(header, path);
   if (!header.data_file.empty()) {
+    const std::filesystem::path source = data_file_beside(path, header.data_file);
     read_samples(volume, header, map_file(source), source);
   } else {
     if (!header.ended)

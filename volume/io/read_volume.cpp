@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 #include <isocast/volume/io/header_text.h>
+#include <isocast/volume/io/metaimage.h>
+#include <isocast/volume/io/nanovdb.h>
 #include <isocast/volume/io/nifti.h>
 #include <isocast/volume/io/nrrd.h>
 #include <isocast/volume/io/raw.h>
 #include <isocast/volume/io/read_volume.h>
+#include <isocast/volume/io/vdb.h>
 #include <isocast/volume/io/vti.h>
 
 #include <algorithm>
@@ -16,12 +19,33 @@ struct Reader {
   std::string_view extension;
   Volume (*read)(const std::filesystem::path&);
 };
-constexpr Reader kReaders[] = {{".nrrd", read_nrrd},
-                               {".nhdr", read_nrrd},
-                               {".nii", read_nifti},
-                               {".nii.gz", read_nifti},
+constexpr Reader kReaders[] = {{".nrrd", read_nrrd},     {".nhdr", read_nrrd}, {".mhd", read_metaimage},
+                               {".mha", read_metaimage}, {".nii", read_nifti}, {".nii.gz", read_nifti},
                                {".vti", read_vti}};
-constexpr std::string_view kKnownElsewhere[] = {".vdb", ".nvdb", ".mhd", ".mha"};
+struct GridReader {
+  std::string_view extension;
+  Volume (*read)(const std::filesystem::path&, const std::string& grid);
+};
+constexpr GridReader kGridReaders[] = {{".vdb", read_vdb}, {".nvdb", read_nanovdb}};
+
+Volume read_as(const std::string& name, const std::filesystem::path& path, const ReadOptions& options) {
+  const auto fits = [&](const auto& reader) { return name.ends_with(reader.extension); };
+  if (name.ends_with(".raw")) {
+    if (!options.grid.empty()) throw read_error(path, "a grid can be chosen in .vdb and .nvdb files only");
+    return read_raw(path, options);
+  }
+  if (options.describes_raw())
+    throw read_error(path, "dims, type, endian and skip can be given for .raw files only");
+  if (const auto reader = std::ranges::find_if(kGridReaders, fits); reader != std::end(kGridReaders))
+    return reader->read(path, options.grid);
+  const auto reader = std::ranges::find_if(kReaders, fits);
+  if (reader == std::end(kReaders))
+    throw read_error(path,
+                     "its extension is that of no volume format, expected .raw .nrrd .nhdr .mhd .mha .nii "
+                     ".nii.gz .vti .vdb or .nvdb");
+  if (!options.grid.empty()) throw read_error(path, "a grid can be chosen in .vdb and .nvdb files only");
+  return reader->read(path);
+}
 
 // Rays need the way back into the grid: three finite axes that are not nearly in one plane.
 void check_transform(const Transform& transform, const std::filesystem::path& path) {
@@ -47,20 +71,7 @@ Volume read_volume(const std::filesystem::path& path, const ReadOptions& options
   if (!std::filesystem::exists(path, ignored)) throw read_error(path, "there is no such file");
   if (std::filesystem::is_directory(path, ignored))
     throw read_error(path, "it is a folder, a file was expected");
-  if (name.ends_with(".raw")) return read_raw(path, options);
-
-  const auto reader =
-      std::ranges::find_if(kReaders, [&](const Reader& r) { return name.ends_with(r.extension); });
-  if (reader == std::end(kReaders)) {
-    const bool known =
-        std::ranges::any_of(kKnownElsewhere, [&](std::string_view e) { return name.ends_with(e); });
-    throw read_error(path, fmt::format("{}, expected .raw .nrrd .nhdr .nii .nii.gz or .vti",
-                                       known ? "this format is not supported by this build"
-                                             : "its extension is that of no volume format"));
-  }
-  if (options != ReadOptions{})
-    throw read_error(path, "dims, type, endian and skip can be given for .raw files only");
-  Volume volume = reader->read(path);
+  Volume volume = read_as(name, path, options);
   check_transform(volume.world_from_grid, path);
   if (!std::isfinite(volume.slope) || volume.slope == 0 || !std::isfinite(volume.intercept))
     throw read_error(path,

@@ -46,6 +46,17 @@ std::byte* allocate_samples(Volume& volume, const std::filesystem::path& path) {
   return samples;
 }
 
+void check_ratio(std::uint64_t bytes, std::uint64_t compressed, const std::filesystem::path& path) {
+  constexpr std::uint64_t kFree = 200'000'000, kMostRatio = 200;
+  const double ratio =
+      static_cast<double>(bytes) / static_cast<double>(std::max<std::uint64_t>(compressed, 1));
+  if (bytes > kFree && ratio > kMostRatio)
+    throw read_error(path,
+                     fmt::format("expected {} bytes out of {} compressed ones, {:.0f} times as much; above "
+                                 "{} MB at most {} times as much is possible",
+                                 bytes, compressed, ratio, kFree / 1'000'000, kMostRatio));
+}
+
 void place_samples(Volume& volume, const MappedFile& file, std::uint64_t offset, bool big_endian,
                    const std::filesystem::path& path) {
   const std::uint64_t bytes = checked_bytes(volume, path);
@@ -61,15 +72,19 @@ void place_samples(Volume& volume, const MappedFile& file, std::uint64_t offset,
     volume.mapped = true;
   } else {
     copy_to_native(stored, allocate_samples(volume, path), width, big_endian);
+    check_mapped_files();
   }
+}
+
+void place_last_samples(Volume& volume, const MappedFile& file, std::uint64_t offset, bool big_endian,
+                        const std::filesystem::path& path) {
+  const std::uint64_t bytes = checked_bytes(volume, path), size = file.bytes.size();
+  place_samples(volume, file, std::max(offset, size - std::min(size, bytes)), big_endian, path);
 }
 
 void inflate_samples(Volume& volume, Inflater& inflater, bool big_endian, const std::filesystem::path& path) {
   const std::uint64_t bytes = checked_bytes(volume, path);
-  const std::uint64_t most = most_inflated_bytes(inflater.compressed_bytes());
-  if (bytes > most)
-    throw read_error(path, fmt::format("expected {} bytes for {}, the compressed data can hold at most {}",
-                                       bytes, described(volume), most));
+  check_ratio(bytes, inflater.compressed_bytes(), path);
   const std::span<std::byte> samples(allocate_samples(volume, path), bytes);
 
   // slab after slab
@@ -85,6 +100,7 @@ void inflate_samples(Volume& volume, Inflater& inflater, bool big_endian, const 
 
   // one byte more makes zlib compare its checksum where the stream ends with the samples
   inflater.skip(1);
+  check_mapped_files();
   copy_to_native(samples, samples.data(), size_of(volume.type), big_endian);
 }
 

@@ -16,16 +16,24 @@ namespace isocast {
 
 /// Gives the volume a buffer for its samples and returns it; pages cost nothing until they are written.
 /// Throws InputError when this machine has less memory. Call it only with sizes that the file's own size
-/// makes plausible.
+/// makes plausible (check_ratio).
 [[nodiscard]] std::byte* allocate_samples(Volume& volume, const std::filesystem::path& path);
+
+/// Throws InputError unless `bytes` may come out of so many compressed ones: they are at most 200 MB, or at
+/// most 200 times as much. A small file that claims more would take this machine's memory.
+void check_ratio(std::uint64_t bytes, std::uint64_t compressed, const std::filesystem::path& path);
 
 /// Samples that lie uncompressed from `offset` on: mapped in place if in native order and aligned for their
 /// type, else copied. Throws InputError when the file ends before; what follows them is ignored.
 void place_samples(Volume& volume, const MappedFile& file, std::uint64_t offset, bool big_endian,
                    const std::filesystem::path& path);
 
+/// The same for samples that are the last bytes of the file, none of them before `offset`.
+void place_last_samples(Volume& volume, const MappedFile& file, std::uint64_t offset, bool big_endian,
+                        const std::filesystem::path& path);
+
 /// The next samples of a compressed stream. Throws InputError when it is damaged, ends before, or is too
-/// small to hold them.
+/// small to hold them (check_ratio).
 void inflate_samples(Volume& volume, Inflater& inflater, bool big_endian, const std::filesystem::path& path);
 
 /// The error of a file that holds fewer bytes of samples than it should.

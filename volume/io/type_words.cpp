@@ -14,15 +14,15 @@ struct TypeWords {
 };
 
 constexpr TypeWords kSupported[] = {
-    {SampleType::u8, "|u8|uint8|uint8_t|uchar|unsigned char|byte|"},
-    {SampleType::i8, "|i8|int8|int8_t|schar|signed char|"},
-    {SampleType::u16, "|u16|uint16|uint16_t|ushort|unsigned short|unsigned short int|"},
-    {SampleType::i16, "|i16|int16|int16_t|short|short int|signed short|signed short int|"},
-    {SampleType::u32, "|u32|uint32|uint32_t|uint|unsigned int|"},
-    {SampleType::i32, "|i32|int32|int32_t|int|signed int|"},
+    {SampleType::u8, "|u8|uint8|uint8_t|uchar|unsigned char|byte|met_uchar|"},
+    {SampleType::i8, "|i8|int8|int8_t|schar|signed char|met_char|"},
+    {SampleType::u16, "|u16|uint16|uint16_t|ushort|unsigned short|unsigned short int|met_ushort|"},
+    {SampleType::i16, "|i16|int16|int16_t|short|short int|signed short|signed short int|met_short|"},
+    {SampleType::u32, "|u32|uint32|uint32_t|uint|unsigned int|met_uint|met_ulong|"},
+    {SampleType::i32, "|i32|int32|int32_t|int|signed int|met_int|met_long|"},
     {SampleType::f16, "|f16|float16|half|"},
-    {SampleType::f32, "|f32|float32|float|"},
-    {SampleType::f64, "|f64|float64|double|"},
+    {SampleType::f32, "|f32|float32|float|met_float|"},
+    {SampleType::f64, "|f64|float64|double|met_double|"},
 };
 
 // Types of the formats that no volume can hold, by the nearest that one can.
@@ -32,7 +32,8 @@ constexpr TypeWords kNearest[] = {
     {SampleType::f64,
      "|i64|int64|int64_t|longlong|long long|long long int|signed long long|signed long long "
      "int|u64|uint64|uint64_t|"
-     "ulonglong|unsigned long long|unsigned long long int|float128|complex128|complex256|"},
+     "met_long_long|met_ulong_long|ulonglong|unsigned long long|unsigned long long "
+     "int|float128|complex128|complex256|"},
 };
 
 template <std::size_t N> const TypeWords* find_word(const TypeWords (&table)[N], const std::string& word) {

@@ -103,7 +103,7 @@ void read_blocks(Volume& volume, const VtiArray& array, const std::filesystem::p
   const std::uint64_t expected = checked_bytes(volume, path);
   const Blocks blocks = read_block_table(source, array.wide_words, path);
 
-  // enough blocks, all of them there, and none that promises more than deflate can
+  // enough blocks, all of them there, and not too much in them
   const std::uint64_t needed = blocks.plain_size == 0 ? 0 : (expected - 1) / blocks.plain_size + 1;
   if (needed == 0 || needed > blocks.count())
     throw missing_samples(volume, blocks.count() * blocks.plain_size, path);
@@ -111,13 +111,7 @@ void read_blocks(Volume& volume, const VtiArray& array, const std::filesystem::p
   const std::span<const std::byte> bytes = source.first(end);
   if (bytes.size() < end)
     throw read_error(path, fmt::format("expected {} bytes of compressed data, found {}", end, bytes.size()));
-  for (std::uint64_t b = 0; b < needed; ++b) {
-    const std::uint64_t plain = std::min(blocks.plain_size, expected - b * blocks.plain_size);
-    const std::uint64_t most = most_inflated_bytes(blocks.begin[b + 1] - blocks.begin[b]);
-    if (plain > most)
-      throw read_error(path, fmt::format("block {} of the data array claims {} bytes, it can hold at most {}",
-                                         b, plain, most));
-  }
+  check_ratio(checked_bytes(volume, path), end - blocks.begin[0], path);
 
   // each block to its place
   std::byte* const samples = allocate_samples(volume, path);
@@ -182,6 +176,7 @@ void read_vti_array(Volume& volume, const VtiArray& array, const MappedFile& fil
   if (array.encoding == VtiEncoding::ascii) read_ascii(volume, array, path);
   else if (array.compressed) read_blocks(volume, array, path);
   else read_plain(volume, array, file, path);
+  check_mapped_files();
 }
 
 }  // namespace isocast
