@@ -58,6 +58,7 @@ template <class S> class SparseGrid {
 
   ISO_HD bool block_active(int level, const std::int32_t (&b)[3], Place& place) const {
     const FoundEntry own = find_entry(tree_, level, b);
+    if (own.level == kTreeLevels - 1 && !(ranges_.near[own.place >> 6] >> (own.place & 63) & 1)) return false;
     if (level == kTreeLevels - 1) set_place(place, b, own.entry);
     Range range = range_of(level, own.entry);
     if (!own.entry.is_child()) {

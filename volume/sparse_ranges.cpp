@@ -87,6 +87,45 @@ void widen(const SparseView& tree, int level, std::vector<Range<Number<S>>>& ran
   });
 }
 
+// Marks entry n of a lower block and those whose far sides it lies beyond, in this block or the ones before.
+class NearMarks {
+ public:
+  NearMarks(const SparseView& tree, std::vector<std::uint64_t>& marks) : tree_(tree), marks_(marks) {}
+
+  void mark_around(const Point& leaf_block) {
+    for (int k = 0; k < 8; ++k)
+      mark({leaf_block[0] - (k & 1), leaf_block[1] - (k >> 1 & 1), leaf_block[2] - (k >> 2)});
+  }
+  void mark(const Point& leaf_block) {
+    const FoundEntry found = find_entry(tree_, 2, {leaf_block[0], leaf_block[1], leaf_block[2]});
+    if (found.level == 2) marks_[found.place >> 6] |= std::uint64_t(1) << (found.place & 63);
+  }
+
+ private:
+  const SparseView& tree_;
+  std::vector<std::uint64_t>& marks_;
+};
+
+// Entries that are not background, and the far sides that meet a tile of a coarser level.
+void mark_near(const SparseView& tree, const std::vector<Point>& lower_blocks,
+               std::vector<std::uint64_t>& marks) {
+  NearMarks near(tree, marks);
+  for (std::size_t i = 0; i < lower_blocks.size(); ++i) {
+    const Point first = {lower_blocks[i][0] * 16, lower_blocks[i][1] * 16, lower_blocks[i][2] * 16};
+    for (std::int32_t n = 0; n < std::int32_t(kLowerEntries); ++n)
+      if (tree.lower[i * kLowerEntries + std::size_t(n)].bits != 0)
+        near.mark_around({first[0] + (n >> 8), first[1] + (n >> 4 & 15), first[2] + (n & 15)});
+    for (int k = 1; k < 8; ++k) {
+      const SparseEntry beyond = entry_at(tree, 1, neighbour(lower_blocks[i], k));
+      if (beyond.is_child() || beyond.bits == 0) continue;
+      for (std::int32_t x = k & 1 ? 15 : 0; x < 16; ++x)
+        for (std::int32_t y = k & 2 ? 15 : 0; y < 16; ++y)
+          for (std::int32_t z = k & 4 ? 15 : 0; z < 16; ++z)
+            near.mark({first[0] + x, first[1] + y, first[2] + z});
+    }
+  }
+}
+
 template <class A> std::vector<std::byte> bytes_of(const std::vector<Range<A>>& ranges) {
   const auto bytes = std::as_bytes(std::span(ranges));
   return {bytes.begin(), bytes.end()};
@@ -114,6 +153,8 @@ SparseRangeTree::SparseRangeTree(const SparseTree& sparse) : beyond_(sparse.leav
                                          upper_blocks[u][1] * 32 + (n >> 5 & 31),
                                          upper_blocks[u][2] * 32 + (n & 31)};
 
+    near_.resize(lower.size() * kLowerEntries / 64);
+    mark_near(tree, lower_blocks, near_);
     oneapi::tbb::parallel_for(std::size_t(0), lower.size(), [&](std::size_t i) {
       lower[i] = gather<S>(tree, tree.lower + i * kLowerEntries, kLowerEntries, leaves.data());
     });
@@ -131,11 +172,12 @@ SparseRangeTree::SparseRangeTree(const SparseTree& sparse) : beyond_(sparse.leav
 SparseRanges SparseRangeTree::view() const {
   static_assert(sizeof(std::array<SparseEntry, 7>) == sizeof(SparseEntry[7]));
   return {{ranges_[0].data(), ranges_[1].data(), ranges_[2].data()},
+          near_.data(),
           reinterpret_cast<const SparseEntry(*)[7]>(beyond_.data())};
 }
 
 std::size_t SparseRangeTree::bytes() const {
-  std::size_t bytes = beyond_.size() * sizeof beyond_[0];
+  std::size_t bytes = beyond_.size() * sizeof beyond_[0] + near_.size() * sizeof near_[0];
   for (const auto& ranges : ranges_) bytes += ranges.size();
   return bytes;
 }

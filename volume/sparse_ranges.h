@@ -22,6 +22,7 @@ class SparseRangeTree {
 
  private:
   std::vector<std::byte> ranges_[kTreeLevels];
+  std::vector<std::uint64_t> near_;
   std::vector<std::array<SparseEntry, 7>> beyond_;
 };
 

@@ -67,10 +67,12 @@ struct SparseView {
 
 /// What the walk knows of the tree's blocks, whatever the iso-value: {min, max} pairs (numbers as in
 /// SampleTraits<S>::Arithmetic) over all samples of the cells that start in a block, with those beyond its
-/// far faces; NaN is left out. `beyond`: of each leaf, the entries at its far faces, edges and corner,
-/// [i][k - 1] in direction k (bit 0: x, 1: y, 2: z).
+/// far faces; NaN is left out. `near`: a bit for each entry of the lower blocks, 64 words a block; where it
+/// is 0, that entry and all beyond its far sides are background. `beyond`: of each leaf, the entries at its
+/// far faces, edges and corner, [i][k - 1] in direction k (bit 0: x, 1: y, 2: z).
 struct SparseRanges {
   const void* of[kTreeLevels];
+  const std::uint64_t* near;
   const SparseEntry (*beyond)[7];
 };
 
@@ -85,11 +87,12 @@ ISO_HD inline std::uint32_t root_hash(const std::int32_t (&b)[3]) {
   return h ^ h >> 15;
 }
 
-/// What fills block b of a level, and the level it stands on: that of b, or a coarser one where a tile fills
-/// more than the block.
+/// What fills block b of a level; the level it stands on, that of b or a coarser one where a tile fills more
+/// than the block; and its place among all entries of that level (not of the root's).
 struct FoundEntry {
   SparseEntry entry;
   int level;
+  std::size_t place;
 };
 ISO_HD inline FoundEntry find_entry(const SparseView& tree, int level, const std::int32_t (&b)[3]) {
   const int to_root = kTreeShifts[0] - kTreeShifts[level];
@@ -103,14 +106,15 @@ ISO_HD inline FoundEntry find_entry(const SparseView& tree, int level, const std
       break;
     }
   }
-  if (level == 0 || !entry.is_child()) return {entry, 0};
+  if (level == 0 || !entry.is_child()) return {entry, 0, 0};
   const int s = kTreeShifts[1] - kTreeShifts[level];
-  entry = tree.upper[std::size_t(entry.index()) * kUpperEntries +
-                     std::size_t((b[0] >> s & 31) << 10 | (b[1] >> s & 31) << 5 | (b[2] >> s & 31))];
-  if (level == 1 || !entry.is_child()) return {entry, 1};
-  entry = tree.lower[std::size_t(entry.index()) * kLowerEntries +
-                     std::size_t((b[0] & 15) << 8 | (b[1] & 15) << 4 | (b[2] & 15))];
-  return {entry, 2};
+  const std::size_t upper = entry.index() * kUpperEntries +
+                            std::size_t((b[0] >> s & 31) << 10 | (b[1] >> s & 31) << 5 | (b[2] >> s & 31));
+  entry = tree.upper[upper];
+  if (level == 1 || !entry.is_child()) return {entry, 1, upper};
+  const std::size_t lower =
+      entry.index() * kLowerEntries + std::size_t((b[0] & 15) << 8 | (b[1] & 15) << 4 | (b[2] & 15));
+  return {tree.lower[lower], 2, lower};
 }
 
 /// Number of a grid point's sample in its leaf.

@@ -1,285 +1,57 @@
-// isocast_openvdb: the only code that knows OpenVDB, as a process of its own.
-//   read FILE GRID MEMORY SECONDS                     leaves a VdbImage in file 3
-//   unblosc FILE OFFSET SIZE BYTES MEMORY SECONDS     leaves the bytes of these blocks in file 3
+// isocast_openvdb: what needs OpenVDB, as a process of its own, which may fail or be stopped.
+//   read FILE GRID MEMORY SECONDS
+//   unblosc FILE OFFSET SIZE BYTES MEMORY SECONDS
+//   write FILE
 // What is wrong goes to stdout as a part of a sentence, with exit code 2.
-#include <blosc.h>
 #include <fmt/format.h>
 #include <isocast/base/child_process.h>
-#include <isocast/base/mapped_file.h>
-#include <isocast/base/text.h>
-#include <isocast/volume/io/vdb_header.h>
-#include <isocast/volume/io/vdb_image.h>
-#include <openvdb/openvdb.h>
-#include <unistd.h>
+#include <isocast/volume/io/vdb_process.h>
 
-#include <cstring>
-#include <istream>
-#include <new>
-#include <streambuf>
+#include <ios>
+#include <span>
 
-namespace isocast {
+namespace isocast::vdb_process {
 namespace {
 
-// The bytes of a file as a stream that throws where it would end.
-class BytesBuffer : public std::streambuf {
- public:
-  explicit BytesBuffer(std::span<const std::byte> bytes) {
-    char* const begin = const_cast<char*>(reinterpret_cast<const char*>(bytes.data()));
-    setg(begin, begin, begin + bytes.size());
-  }
-
- private:
-  pos_type seekoff(off_type offset, std::ios_base::seekdir way, std::ios_base::openmode) override {
-    const off_type from = way == std::ios_base::beg   ? 0
-                          : way == std::ios_base::cur ? gptr() - eback()
-                                                      : egptr() - eback();
-    const off_type to = from + offset;
-    if (to < 0 || to > egptr() - eback()) return pos_type(off_type(-1));
-    setg(eback(), eback() + to, egptr());
-    return to;
-  }
-  pos_type seekpos(pos_type to, std::ios_base::openmode mode) override {
-    return seekoff(off_type(to), std::ios_base::beg, mode);
-  }
-};
-
-// File 3, written in large pieces.
-class ImageWriter {
- public:
-  void add(const void* bytes, std::size_t size) {
-    written_ += size;
-    const auto* from = static_cast<const std::byte*>(bytes);
-    buffer_.insert(buffer_.end(), from, from + size);
-    if (buffer_.size() >= kPiece) flush();
-  }
-  void align() {
-    constexpr std::uint64_t kZero = 0;
-    add(&kZero, (8 - written_ % 8) % 8);
-  }
-  void flush() {
-    for (std::size_t done = 0; done < buffer_.size();) {
-      const ssize_t n = write(3, buffer_.data() + done, buffer_.size() - done);
-      if (n < 0) throw std::bad_alloc();
-      done += static_cast<std::size_t>(n);
-    }
-    buffer_.clear();
-  }
-
- private:
-  static constexpr std::size_t kPiece = std::size_t(1) << 20;
-  std::vector<std::byte> buffer_;
-  std::uint64_t written_ = 0;
-};
-
-template <class T> std::uint64_t bits_of(T value) {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof value);
-  return bits;
-}
-
-// The tiles of a node that are not just background.
-template <class Node, class T>
-void collect_tiles(const Node& node, std::int32_t edge, T background, std::vector<TileBlock>& tiles) {
-  for (auto tile = node.cbeginValueAll(); tile; ++tile) {
-    const T value = tile.getValue();
-    if (!tile.isValueOn() && bits_of(value) == bits_of(background)) continue;
-    const openvdb::Coord o = tile.getCoord();
-    tiles.push_back({{o.x(), o.y(), o.z()}, edge, {bits_of(value), tile.isValueOn()}});
-  }
-}
-
-// Reads the tree at the stream's position: the blocks above first, as OpenVDB knows them, then one leaf after
-// the other, each written before the next is read.
-template <class Tree>
-void copy_tree(std::istream& in, bool half, ImageWriter& out, VdbImage& image,
-               std::vector<VdbOrigin>& origins, std::vector<TileBlock>& tiles) {
-  using T = typename Tree::ValueType;
-  // never destroyed: nodes that an error leaves half read cannot be
-  auto& tree = *new Tree;
-  tree.readTopology(in, half);
-  const T background = tree.root().background();
-  image.background = bits_of(background);
-  T samples[kLeafSamples];
-  typename Tree::LeafNodeType::NodeMaskType active;
-  collect_tiles(tree.root(), kTreeShifts[0], background, tiles);
-  for (auto upper = tree.root().cbeginChildOn(); upper; ++upper) {
-    collect_tiles(*upper, kTreeShifts[1], background, tiles);
-    for (auto lower = upper->cbeginChildOn(); lower; ++lower) {
-      collect_tiles(*lower, kTreeShifts[2], background, tiles);
-      for (auto leaf = lower->cbeginChildOn(); leaf; ++leaf) {
-        active.load(in);
-        openvdb::io::readCompressedValues(in, samples, kLeafSamples, active, half);
-        const openvdb::Coord o = leaf->origin();
-        origins.push_back({o.x(), o.y(), o.z()});
-        out.add(samples, sizeof samples);
-        out.add(&active.template getWord<std::uint64_t>(0), 64);
-      }
-    }
-  }
-  image.leaf_count = origins.size();
-}
-
-// The first grid of a type that can be read, or the one of this name.
-const VdbGridHeader& choose_grid(const VdbHeader& header, const std::string& name) {
-  const auto readable = [](const VdbGridHeader& g) {
-    return g.value_type == "float" || g.value_type == "double" || g.value_type == "int32" ||
-           g.value_type == "int64";
+void run(std::span<const std::string> words) {
+  const auto limit = [&](const std::string& memory, const std::string& seconds) {
+    limit_this_process(std::stoull(memory), static_cast<unsigned>(std::stoul(seconds)));
   };
-  std::string all;
-  for (const VdbGridHeader& grid : header.grids) {
-    if (name.empty() ? readable(grid) : grid.name == name) {
-      if (!readable(grid))
-        throw std::runtime_error(
-            fmt::format("its grid {} is a tree of {}, expected float, double, int32 or int64",
-                        in_quotes(grid.name), in_quotes(grid.value_type)));
-      return grid;
-    }
-    all += fmt::format("{}{} ({})", all.empty() ? "" : ", ", in_quotes(grid.name), grid.value_type);
+  if (words.size() == 5 && words[0] == "read") {
+    limit(words[3], words[4]);
+    read(words[1], words[2]);
+  } else if (words.size() == 7 && words[0] == "unblosc") {
+    limit(words[5], words[6]);
+    unblosc(words[1], std::stoull(words[2]), std::stoull(words[3]), std::stoull(words[4]));
+  } else if (words.size() == 2 && words[0] == "write") {
+    write(words[1]);
+  } else {
+    throw std::runtime_error("isocast_openvdb is a part of isocast and no program of its own");
   }
-  throw std::runtime_error(name.empty()
-                               ? fmt::format("none of its grids is float, double, int32 or int64: {}", all)
-                               : fmt::format("it has no grid {}, only {}", in_quotes(name), all));
 }
 
-void copy_transform(std::istream& in, const VdbGridHeader& grid, VdbImage& image) {
-  using namespace openvdb::math;
-  constexpr std::string_view kAffine[] = {"UniformScaleMap",   "UniformScaleTranslateMap", "ScaleMap",
-                                          "ScaleTranslateMap", "TranslationMap",           "UnitaryMap",
-                                          "AffineMap"};
-  if (std::ranges::find(kAffine, grid.map_type) == std::end(kAffine))
-    throw std::runtime_error(
-        fmt::format("its grid {} has a transform of type {}, expected one that keeps lines straight",
-                    in_quotes(grid.name), in_quotes(grid.map_type)));
-  Transform transform;
-  transform.read(in);
-  const Mat4d world = transform.baseMap()->getAffineMap()->getMat4();  // of row vectors
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 4; ++c) image.world_from_grid[r][c] = world(c, r);
-}
-
-void read(const std::string& path, const std::string& grid_name) {
-  const MappedFile file = map_file(path);
-  const VdbHeader header = read_vdb_header(file.bytes);
-  const VdbGridHeader& grid = choose_grid(header, grid_name);
-  const VdbGridHeader* tree = &grid;
-  if (!grid.parent.empty()) {
-    const auto parent = std::ranges::find(header.grids, grid.parent, &VdbGridHeader::name);
-    if (parent == header.grids.end() || !parent->parent.empty() || parent->value_type != grid.value_type)
-      throw std::runtime_error(fmt::format("its grid {} shares the tree of {}, which has none for it",
-                                           in_quotes(grid.name), in_quotes(grid.parent)));
-    tree = &*parent;
-  }
-
-  openvdb::initialize();
-  BytesBuffer bytes(file.bytes);
-  std::istream in(&bytes);
-  in.exceptions(std::ios_base::failbit | std::ios_base::badbit | std::ios_base::eofbit);
-  openvdb::io::StreamMetadata::Ptr state(new openvdb::io::StreamMetadata);
-  state->setFileVersion(header.format);
-  state->setLibraryVersion({header.library_major, header.library_minor});
-  state->setCompression(tree->compression);
-  state->setHalfFloat(tree->half);
-  openvdb::io::setStreamMetadataPtr(in, state, true);
-
-  VdbImage image = {};
-  in.seekg(static_cast<std::streamoff>(grid.map_at));
-  copy_transform(in, grid, image);
-  if (tree != &grid) {  // behind the parent's own transform
-    VdbImage ignored = {};
-    in.seekg(static_cast<std::streamoff>(tree->map_at));
-    copy_transform(in, *tree, ignored);
-  }
-  image.half_on_disk = tree->half;
-  ImageWriter out;
-  std::vector<VdbOrigin> origins;
-  std::vector<TileBlock> tiles;
-  const auto copy = [&]<class Tree>(SparseType type) {
-    image.type = type;
-    copy_tree<Tree>(in, tree->half, out, image, origins, tiles);
-  };
-  if (tree->value_type == "float") copy.operator()<openvdb::FloatTree>(SparseType::f32);
-  else if (tree->value_type == "double") copy.operator()<openvdb::DoubleTree>(SparseType::f64);
-  else if (tree->value_type == "int32") copy.operator()<openvdb::Int32Tree>(SparseType::i32);
-  else copy.operator()<openvdb::Int64Tree>(SparseType::i64);
-  if (static_cast<std::uint64_t>(in.tellg()) > tree->end)
-    throw std::runtime_error(
-        fmt::format("its grid {} goes on behind its end at byte {}", in_quotes(tree->name), tree->end));
-
-  std::string text = grid.name + '\0';
-  if (const auto found = grid.metadata.find("class"); found != grid.metadata.end()) text += found->second;
-  text += '\0';
-  for (const VdbGridHeader& other : header.grids)
-    if (&other != &grid) text += other.name + '\0';
-  image.tile_count = tiles.size();
-  image.text_bytes = text.size();
-  out.add(origins.data(), origins.size() * sizeof origins[0]);
-  out.align();
-  out.add(tiles.data(), tiles.size() * sizeof tiles[0]);
-  out.add(text.data(), text.size());
-  out.add(&image, sizeof image);
-  out.flush();
-  check_mapped_files();
-}
-
-// Blocks of at most 1 GB, as NanoVDB writes them.
-void unblosc(const std::string& path, std::uint64_t offset, std::uint64_t size, std::uint64_t bytes) {
-  constexpr std::uint64_t kBlock = std::uint64_t(1) << 30;
-  const MappedFile file = map_file(path);
-  std::span<const std::byte> blocks = file.bytes.subspan(offset, size);
-  ImageWriter out;
-  for (std::uint64_t done = 0; done < bytes;) {
-    std::uint64_t stored = 0;
-    std::size_t plain = 0;
-    const std::size_t wanted = std::min(kBlock, bytes - done);
-    if (blocks.size() >= sizeof stored) {
-      std::memcpy(&stored, blocks.data(), sizeof stored);
-      blocks = blocks.subspan(sizeof stored);
-    }
-    if (stored > blocks.size() || blosc_cbuffer_validate(blocks.data(), stored, &plain) != 0 ||
-        plain != wanted)
-      throw std::runtime_error(
-          fmt::format("its compressed grid is damaged or ends after {} of {} bytes", done, bytes));
-    std::vector<std::byte> block(wanted);
-    if (blosc_decompress_ctx(blocks.data(), block.data(), block.size(), 1) != static_cast<int>(wanted))
-      throw std::runtime_error("its compressed grid is damaged");
-    blocks = blocks.subspan(stored);
-    out.add(block.data(), block.size());
-    done += wanted;
-  }
-  out.flush();
-  check_mapped_files();
-}
-
-int run(int count, char** words) {
+int try_to_run(std::span<const std::string> words) {
   const auto say = [](const std::string& what) {
     fmt::print("{}", what);
     return 2;
   };
   try {
-    if (count == 6 && std::string_view(words[1]) == "read") {
-      limit_this_process(std::stoull(words[4]), static_cast<unsigned>(std::stoul(words[5])));
-      read(words[2], words[3]);
-      return 0;
-    }
-    if (count == 8 && std::string_view(words[1]) == "unblosc") {
-      limit_this_process(std::stoull(words[6]), static_cast<unsigned>(std::stoul(words[7])));
-      unblosc(words[2], std::stoull(words[3]), std::stoull(words[4]), std::stoull(words[5]));
-      return 0;
-    }
-    return say("isocast_openvdb is a part of isocast and no program of its own");
+    run(words);
+    return 0;
   } catch (const std::bad_alloc&) {
-    return say("its sizes ask for more memory than the file can fill, it is damaged");
+    return say("more memory is needed than its size makes plausible, or than there is");
   } catch (const std::ios_base::failure&) {
     return say("it ends inside its tree, it is damaged or incomplete");
   } catch (const std::exception& error) { return say(error.what()); }
 }
 
 }  // namespace
-}  // namespace isocast
+}  // namespace isocast::vdb_process
 
 // Ends without destructors: those of a tree that was half read would follow wild pointers.
 int main(int count, char** words) {
-  const int status = isocast::run(count, words);
+  const std::vector<std::string> arguments(words + 1, words + count);
+  const int status = isocast::vdb_process::try_to_run(arguments);
   std::fflush(stdout);
   _exit(status);
 }
