@@ -143,9 +143,13 @@ constexpr Format kFormats[] = {{".nrrd", kAllButHalf, write_slabs<nrrd_header>},
                                {".nii", kAllButHalf, write_slabs<nifti_header>},
                                {".mha", kAllButHalf, write_slabs<metaimage_header>}};
 
-const Format& format_of(const fs::path& target) {
+const Format* find_format(const fs::path& target) {
   const auto found = std::ranges::find(kFormats, target.extension().string(), &Format::extension);
-  if (found != std::end(kFormats)) return *found;
+  return found == std::end(kFormats) ? nullptr : &*found;
+}
+
+const Format& format_of(const fs::path& target) {
+  if (const Format* const found = find_format(target)) return *found;
   std::string extensions;
   for (const Format& format : kFormats) extensions += fmt::format(" {}", format.extension);
   throw InputError(
@@ -167,7 +171,7 @@ void check_type(const Format& format, SampleType type) {
 
 }  // namespace
 
-void check_volume_extension(const fs::path& target) { (void)format_of(target); }
+bool is_dense_file(const fs::path& target) { return find_format(target) != nullptr; }
 
 WriteReport write_field(const Field& field, const SampleGrid& grid, const fs::path& target,
                         const WriteOptions& options) {

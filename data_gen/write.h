@@ -26,9 +26,8 @@ struct WriteReport {
   std::int64_t bytes = 0;
 };
 
-/// The extensions that write_field knows: .nrrd .raw .nii .mha. Throws InputError for any other, naming
-/// these.
-void check_volume_extension(const std::filesystem::path& target);
+/// Whether write_field knows the extension: .nrrd .raw .nii .mha.
+[[nodiscard]] bool is_dense_file(const std::filesystem::path& target);
 
 /// Samples `field` and writes it little-endian, x fastest.
 ///

@@ -106,7 +106,10 @@ void print_report(const Request& request, const SampleGrid& grid, SampleType typ
 void run(const Request& request) {
   // everything that can be refused is refused before the first sample
   const bool sparse = is_sparse_file(request.output);
-  if (!sparse) check_volume_extension(request.output);
+  if (!sparse && !is_dense_file(request.output))
+    throw InputError(fmt::format(
+        "found the output {}, expected a name that ends in one of .nrrd .raw .nii .mha .vdb .nvdb",
+        request.output));
   if (!sparse && (!request.band.empty() || !request.background.empty()))
     throw InputError("found --band or --background, which only .vdb and .nvdb have");
   const WriteOptions dense_options = sparse ? WriteOptions{} : write_options(request);

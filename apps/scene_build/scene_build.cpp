@@ -64,10 +64,13 @@ BuiltScene build_scene(const SceneDescription& description, const EvaluationSett
   const auto list = [&](bool used, const char* name) {
     (used ? built.features : built.left_out).push_back(name);
   };
+  list(built.volume->tree != nullptr, "sparse tree");
+  list(built.volume->tree == nullptr, "macrocells");
   list(built.volume->mapped, "memory mapping");
   list(!built.volume->mapped, "copy of the samples");
   list(wanted.iso.empty(), "statistics");
   list(built.volume->format == "nifti", "module:nifti");
+  list(built.volume->format == "vdb", "process:openvdb");
   return built;
 }
 

@@ -26,6 +26,12 @@ expect 0 "wrote" sample @tangle --resolution 40 --type f32 -o tangle.nrrd
 expect 0 "wrote" sample gyroid --resolution 33 --type u8 -o gyroid_33x33x33_uint8.raw
 expect 0 "wrote" sample gyroid --resolution 33 --type i16 -o gyroid.mha
 expect 0 "wrote" sample gyroid --resolution 33 --type f64 -o gyroid.nii
+expect 0 "wrote" sample @tangle --resolution 40 --type f32 -o tangle.vdb
+expect 0 "wrote" sample @tangle --resolution 40 --type f32 -o tangle.nvdb
+expect 0 "wrote" sample "sqrt(x^2+y^2+z^2)-0.5" --resolution 40 --band 0.1 -o ball.vdb
+expect 0 "level set" info ball.vdb
+expect 0 '"active_samples": 64000' info tangle.nvdb --json
+expect 0 "'tangle'" info tangle.vdb --grid tangle
 expect 0 '"suggested_iso"' info tangle.nrrd --json
 expect 0 "metaimage" info gyroid.mha
 expect 0 '"default"' methods --json
@@ -41,8 +47,12 @@ expect 2 "folder" info .
 expect 2 ".png or .exr" render tangle.nrrd -o a.jpg
 expect 2 "the folder nowhere does not exist" render tangle.nrrd -o nowhere/a.png
 expect 2 "the folder nowhere does not exist" render tangle.nrrd -o a.png --stats nowhere/a.json
-expect 2 "one of .nrrd .raw .nii .mha" sample gyroid -o a.vol
+expect 2 "one of .nrrd .raw .nii .mha .vdb .nvdb" sample gyroid -o a.vol
 expect 2 "the nearest is f32" sample gyroid --type f16 -o a.mha
+expect 2 "the nearest is i32" sample gyroid --type u8 -o a.vdb
+expect 2 "only .vdb and .nvdb" sample gyroid --band 1 -o a.nrrd
+expect 2 "no grid 'density', only 'tangle' (float)" render tangle.vdb --grid density -o a.png
+expect 2 "no grid 'density', only 'tangle' (float)" render tangle.nvdb --grid density -o a.png
 expect 2 "need an .exr file" render tangle.nrrd -o a.png --aov depth
 expect 2 "proves anything" render tangle.nrrd -o a.exr --aov certificate
 expect 2 "midpoint, linear, neubauer, schwarze, marmitt" render tangle.nrrd -o a.png --method newton
@@ -52,6 +62,13 @@ expect 2 "WIDTHxHEIGHT" render tangle.nrrd -o a.png --size 0x0
 expect 2 "-x^2+y^2" render -x^2+y^2 -o a.png
 expect 2 "suite" bench everything -o bench
 [[ -e a.png || -e a.exr ]] && fail "a failed run left a picture"
+
+# dense or sparse, the same picture
+view=(--iso 0 --size 70x50 --camera-position 4,-6,3 --camera-target 0,0,0 --light 1,-1,2 --shadows)
+for file in tangle.nrrd tangle.vdb tangle.nvdb; do
+  "$program" render "$file" "${view[@]}" -o "$file.png" || fail "no picture of $file"
+  cmp -s tangle.nrrd.png "$file.png" || fail "$file differs from tangle.nrrd"
+done
 
 # the same bytes for 1, 2 and 7 threads and every instruction set
 picture=(render tangle.nrrd --iso 0,2 --size 70x50 --light 1,-1,2 --shadows --spp 2 --aov depth,z,normal,position,id,value,cost)
