@@ -90,7 +90,7 @@ VdbHeader read_vdb_header(std::span<const std::byte> file) {
                                          header.format, kOldest, kNewest));
   header.library_major = fields.number<std::uint32_t>("the version");
   header.library_minor = fields.number<std::uint32_t>("the version");
-  const bool has_table = fields.number<std::uint8_t>("the header") != 0;
+  const bool has_places = fields.number<std::uint8_t>("the header") != 0;
   fields.bytes(36, "the identifier");
   read_metadata(fields);
 
@@ -104,8 +104,9 @@ VdbHeader read_vdb_header(std::span<const std::byte> file) {
     grid.begin = fields.number<std::uint64_t>("a grid's place");
     fields.number<std::uint64_t>("a grid's place");
     grid.end = fields.number<std::uint64_t>("a grid's place");
-    // written as a stream, without places: a grid follows its own description, the next one after it
-    if (!has_table) {
+    // each grid follows its description; in what was written as a stream, no place tells where the next one
+    // is
+    if (!has_places) {
       grid.begin = fields.at();
       grid.end = file.size();
     }
@@ -113,8 +114,9 @@ VdbHeader read_vdb_header(std::span<const std::byte> file) {
       throw std::runtime_error(fmt::format("its grid '{}' lies at bytes {} to {}, the file ends at byte {}",
                                            grid.name, grid.begin, grid.end, file.size()));
     read_grid(file, grid);
+    fields = Fields(file, grid.end);
     header.grids.push_back(std::move(grid));
-    if (!has_table) break;
+    if (!has_places) break;
   }
   return header;
 }

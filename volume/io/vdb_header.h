@@ -31,7 +31,7 @@ struct VdbHeader {
 };
 
 /// Throws std::runtime_error with what was found and expected: for anything but an OpenVDB file of format 222
-/// (OpenVDB 1.1) or later with a table of its grids, names or metadata that end behind the file, and grids
+/// (OpenVDB 1.1) or later, names or metadata that end behind the file, and grids
 /// that do.
 [[nodiscard]] VdbHeader read_vdb_header(std::span<const std::byte> file);
 
