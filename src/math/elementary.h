@@ -7,46 +7,61 @@
 
 namespace isocast::inline ISO_ISA {
 
-inline float cos(float a) { return Sleef_cinz_cosf1_u10purec(a); }
-inline float acos(float a) { return Sleef_cinz_acosf1_u10purec(a); }
-inline float cbrt(float a) { return Sleef_cinz_cbrtf1_u10purec(a); }
-inline double cos(double a) { return Sleef_cinz_cosd1_u10purec(a); }
-inline double acos(double a) { return Sleef_cinz_acosd1_u10purec(a); }
-inline double cbrt(double a) { return Sleef_cinz_cbrtd1_u10purec(a); }
+// One function of one or two arguments for a register of F floats or D doubles.
+#define ISO_SLEEF_LANES(name, F, D, set)                             \
+  inline Pack<float, F> name(Pack<float, F> a) {                     \
+    return Pack<float, F>(Sleef_cinz_##name##f##F##_u10##set(a.v));  \
+  }                                                                  \
+  inline Pack<double, D> name(Pack<double, D> a) {                   \
+    return Pack<double, D>(Sleef_cinz_##name##d##D##_u10##set(a.v)); \
+  }
+#define ISO_SLEEF_LANES_2(name, F, D, set)                                \
+  inline Pack<float, F> name(Pack<float, F> a, Pack<float, F> b) {        \
+    return Pack<float, F>(Sleef_cinz_##name##f##F##_u10##set(a.v, b.v));  \
+  }                                                                       \
+  inline Pack<double, D> name(Pack<double, D> a, Pack<double, D> b) {     \
+    return Pack<double, D>(Sleef_cinz_##name##d##D##_u10##set(a.v, b.v)); \
+  }
 
-inline Pack<float, 4> cos(Pack<float, 4> a) { return Pack<float, 4>(Sleef_cinz_cosf4_u10sse4(a.v)); }
-inline Pack<float, 4> acos(Pack<float, 4> a) { return Pack<float, 4>(Sleef_cinz_acosf4_u10sse4(a.v)); }
-inline Pack<float, 4> cbrt(Pack<float, 4> a) { return Pack<float, 4>(Sleef_cinz_cbrtf4_u10sse4(a.v)); }
-inline Pack<double, 2> cos(Pack<double, 2> a) { return Pack<double, 2>(Sleef_cinz_cosd2_u10sse4(a.v)); }
-inline Pack<double, 2> acos(Pack<double, 2> a) { return Pack<double, 2>(Sleef_cinz_acosd2_u10sse4(a.v)); }
-inline Pack<double, 2> cbrt(Pack<double, 2> a) { return Pack<double, 2>(Sleef_cinz_cbrtd2_u10sse4(a.v)); }
-#ifdef __AVX2__
-inline Pack<float, 8> cos(Pack<float, 8> a) { return Pack<float, 8>(Sleef_cinz_cosf8_u10avx(a.v)); }
-inline Pack<float, 8> acos(Pack<float, 8> a) { return Pack<float, 8>(Sleef_cinz_acosf8_u10avx(a.v)); }
-inline Pack<float, 8> cbrt(Pack<float, 8> a) { return Pack<float, 8>(Sleef_cinz_cbrtf8_u10avx(a.v)); }
-inline Pack<double, 4> cos(Pack<double, 4> a) { return Pack<double, 4>(Sleef_cinz_cosd4_u10avx(a.v)); }
-inline Pack<double, 4> acos(Pack<double, 4> a) { return Pack<double, 4>(Sleef_cinz_acosd4_u10avx(a.v)); }
-inline Pack<double, 4> cbrt(Pack<double, 4> a) { return Pack<double, 4>(Sleef_cinz_cbrtd4_u10avx(a.v)); }
+// For every register of the instruction set that this file is compiled for.
+#if defined(__AVX512F__)
+#define ISO_SLEEF_PACKS(lanes, name) \
+  lanes(name, 4, 2, sse4) lanes(name, 8, 4, avx) lanes(name, 16, 8, avx512fnofma)
+#elif defined(__AVX2__)
+#define ISO_SLEEF_PACKS(lanes, name) lanes(name, 4, 2, sse4) lanes(name, 8, 4, avx)
+#else
+#define ISO_SLEEF_PACKS(lanes, name) lanes(name, 4, 2, sse4)
 #endif
-#ifdef __AVX512F__
-inline Pack<float, 16> cos(Pack<float, 16> a) {
-  return Pack<float, 16>(Sleef_cinz_cosf16_u10avx512fnofma(a.v));
-}
-inline Pack<float, 16> acos(Pack<float, 16> a) {
-  return Pack<float, 16>(Sleef_cinz_acosf16_u10avx512fnofma(a.v));
-}
-inline Pack<float, 16> cbrt(Pack<float, 16> a) {
-  return Pack<float, 16>(Sleef_cinz_cbrtf16_u10avx512fnofma(a.v));
-}
-inline Pack<double, 8> cos(Pack<double, 8> a) {
-  return Pack<double, 8>(Sleef_cinz_cosd8_u10avx512fnofma(a.v));
-}
-inline Pack<double, 8> acos(Pack<double, 8> a) {
-  return Pack<double, 8>(Sleef_cinz_acosd8_u10avx512fnofma(a.v));
-}
-inline Pack<double, 8> cbrt(Pack<double, 8> a) {
-  return Pack<double, 8>(Sleef_cinz_cbrtd8_u10avx512fnofma(a.v));
-}
-#endif
+
+#define ISO_SLEEF(name)                                                      \
+  inline float name(float a) { return Sleef_cinz_##name##f1_u10purec(a); }   \
+  inline double name(double a) { return Sleef_cinz_##name##d1_u10purec(a); } \
+  ISO_SLEEF_PACKS(ISO_SLEEF_LANES, name)
+#define ISO_SLEEF_2(name)                                                                 \
+  inline float name(float a, float b) { return Sleef_cinz_##name##f1_u10purec(a, b); }    \
+  inline double name(double a, double b) { return Sleef_cinz_##name##d1_u10purec(a, b); } \
+  ISO_SLEEF_PACKS(ISO_SLEEF_LANES_2, name)
+
+ISO_SLEEF(cbrt)
+ISO_SLEEF(exp)
+ISO_SLEEF(log)
+ISO_SLEEF(log10)
+ISO_SLEEF(sin)
+ISO_SLEEF(cos)
+ISO_SLEEF(tan)
+ISO_SLEEF(asin)
+ISO_SLEEF(acos)
+ISO_SLEEF(atan)
+ISO_SLEEF(sinh)
+ISO_SLEEF(cosh)
+ISO_SLEEF(tanh)
+ISO_SLEEF_2(pow)
+ISO_SLEEF_2(atan2)
+
+#undef ISO_SLEEF_2
+#undef ISO_SLEEF
+#undef ISO_SLEEF_PACKS
+#undef ISO_SLEEF_LANES_2
+#undef ISO_SLEEF_LANES
 
 }  // namespace isocast::inline ISO_ISA

@@ -166,6 +166,17 @@ inline unsigned bits_of(PackMask<double, 8> m) { return m.v; }
 #endif
 template <class T, int W> inline bool any(PackMask<T, W> m) { return bits_of(m) != 0; }
 
+/// Adding and subtracting what leaves no digits after the point rounds to nearest; what came out above steps
+/// back.
+template <class T, int W> inline Pack<T, W> floor(Pack<T, W> a) {
+  using R = Pack<T, W>;
+  const R no_fraction = R(T(1) / (T(2) * kUnitRoundoff<T>));
+  const R nearest = copysign((abs(a) + no_fraction) - no_fraction, a);
+  const R below = nearest - select(nearest > a, R(T(1)), R(T(0)));
+  return select(abs(a) < no_fraction, below, a);
+}
+template <class T, int W> inline Pack<T, W> ceil(Pack<T, W> a) { return -floor(-a); }
+
 template <class T, int W> inline Pack<T, W> load(const T* p, Pack<T, W>) {
   Pack<T, W> a;
   __builtin_memcpy(&a.v, p, sizeof a.v);

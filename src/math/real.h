@@ -49,6 +49,10 @@ ISO_HD inline float abs(float a) { return __builtin_fabsf(a); }
 ISO_HD inline double abs(double a) { return __builtin_fabs(a); }
 ISO_HD inline float sqrt(float a) { return __builtin_sqrtf(a); }
 ISO_HD inline double sqrt(double a) { return __builtin_sqrt(a); }
+ISO_HD inline float floor(float a) { return __builtin_floorf(a); }
+ISO_HD inline double floor(double a) { return __builtin_floor(a); }
+ISO_HD inline float ceil(float a) { return __builtin_ceilf(a); }
+ISO_HD inline double ceil(double a) { return __builtin_ceil(a); }
 
 /// The sign bit. Samples minus iso are never -0, and an underflow keeps its sign: so this calls exactly zero
 /// positive and stays consistent where a comparison with 0 would not (design.md, decision 5).

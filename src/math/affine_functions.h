@@ -1,0 +1,129 @@
+// Affine forms: functions that are smooth where they are defined.
+#pragma once
+
+#include <isocast/math/affine_rules.h>
+#include <isocast/math/interval_angles.h>
+#include <isocast/math/interval_powers.h>
+
+namespace isocast::inline ISO_ISA {
+
+/// Chebyshev; undefined, and of the part that is not negative, where there is another.
+template <Real R, int N> ISO_HD inline AffineForm<R, N> sqrt(const AffineForm<R, N>& a) {
+  const Interval<R> range = interval_of(a), x = cut(range, R(0), R(kInfinity<Scalar<R>>));
+  return bent(
+      a, x, sqrt(range), [](const Interval<R>& u) { return sqrt(u); },
+      [](const Interval<R>& u) { return Interval<R>(R(0.5)) / sqrt(u); },
+      [](R slope) { return R(0.25) / (slope * slope); });
+}
+
+/// Chebyshev.
+template <Real R, int N> ISO_HD inline AffineForm<R, N> exp(const AffineForm<R, N>& a) {
+  const Interval<R> x = interval_of(a);
+  const auto g = [](const Interval<R>& u) { return exp(u); };
+  return bent(a, x, exp(x), g, g, [](R slope) { return log(slope); });
+}
+
+/// Chebyshev; infinite where a may be zero, as on the negative side, where it is undefined.
+template <Real R, int N> ISO_HD inline AffineForm<R, N> log(const AffineForm<R, N>& a) {
+  const Interval<R> range = interval_of(a), x = cut(range, R(0), R(kInfinity<Scalar<R>>));
+  return bent(
+      a, x, log(range), [](const Interval<R>& u) { return log(u); },
+      [](const Interval<R>& u) { return Interval<R>(R(1)) / u; }, [](R slope) { return R(1) / slope; });
+}
+/// log(a) / log(10).
+template <Real R, int N> ISO_HD inline AffineForm<R, N> log10(const AffineForm<R, N>& a) {
+  return log(a) * AffineForm<R, N>(enclosed<R>(0x1.bcb7b1526e50ep-2, false));
+}
+
+/// 1 / a. Chebyshev; nothing is known where a may be zero, which is undefined.
+template <Real R, int N> ISO_HD inline AffineForm<R, N> reciprocal(const AffineForm<R, N>& a) {
+  const Interval<R> x = interval_of(a), one(R(1));
+  return bent(
+      a, x, one / x, [](const Interval<R>& u) { return Interval<R>(R(1)) / u; },
+      [](const Interval<R>& u) { return -(Interval<R>(R(1)) / square(u)); },
+      [&x](R slope) { return copysign(R(1) / sqrt(-slope), x.lo); });
+}
+template <Real R, int N>
+ISO_HD inline AffineForm<R, N> operator/(const AffineForm<R, N>& a, const AffineForm<R, N>& b) {
+  return a * reciprocal(b);
+}
+
+/// a^n for even n > 2, Chebyshev.
+template <Real R, int N> ISO_HD inline AffineForm<R, N> even_power(const AffineForm<R, N>& a, int n) {
+  const Interval<R> x = interval_of(a);
+  return bent(
+      a, x, power(x, n), [n](const Interval<R>& u) { return power(u, n); },
+      [n](const Interval<R>& u) { return enclosed<R>(n, true) * power(u, n - 1); },
+      [n](R slope) {
+        using T = Scalar<R>;
+        return copysign(pow(abs(slope) / R(T(n)), R(T(1) / T(n - 1))), slope);
+      });
+}
+
+/// a^n for any integer n: an odd power is a times an even one, a negative one a reciprocal.
+template <Real R, int N> ISO_HD inline AffineForm<R, N> power(const AffineForm<R, N>& a, int n) {
+  if (n < -__INT_MAX__) return AffineForm<R, N>(power(interval_of(a), n));
+  if (n < 0) return reciprocal(power(a, -n));
+  if (n == 0) return decorated_as(interval_of(a), AffineForm<R, N>(R(1)));
+  if (n == 1) return a;
+  if (n == 2) return square(a);
+  return n % 2 ? a * power(a, n - 1) : even_power(a, n);
+}
+
+/// Taylor; the interval's result for wide angles.
+template <Real R, int N> ISO_HD inline AffineForm<R, N> sin(const AffineForm<R, N>& a) {
+  const Interval<R> x = interval_of(a), y = sin(x);
+  return curved(
+      a, x, y, [](const Interval<R>& u) { return sin(u); }, [](const Interval<R>& u) { return cos(u); }, -y);
+}
+template <Real R, int N> ISO_HD inline AffineForm<R, N> cos(const AffineForm<R, N>& a) {
+  const Interval<R> x = interval_of(a), y = cos(x);
+  return curved(
+      a, x, y, [](const Interval<R>& u) { return cos(u); }, [](const Interval<R>& u) { return -sin(u); }, -y);
+}
+
+/// Min-range; nothing is known where there may be a pole, which is undefined.
+template <Real R, int N> ISO_HD inline AffineForm<R, N> tan(const AffineForm<R, N>& a) {
+  const Interval<R> x = interval_of(a), y = tan(x);
+  return slanted(a, x, y, Interval<R>(R(1)) + square(y), [](const Interval<R>& u) { return tan(u); });
+}
+
+/// Min-range.
+template <Real R, int N> ISO_HD inline AffineForm<R, N> cbrt(const AffineForm<R, N>& a) {
+  const Interval<R> x = interval_of(a), y = cbrt(x);
+  return slanted(a, x, y, Interval<R>(R(1)) / (Interval<R>(R(3)) * square(y)),
+                 [](const Interval<R>& u) { return cbrt(u); });
+}
+template <Real R, int N> ISO_HD inline AffineForm<R, N> sinh(const AffineForm<R, N>& a) {
+  const Interval<R> x = interval_of(a);
+  return slanted(a, x, sinh(x), cosh(x), [](const Interval<R>& u) { return sinh(u); });
+}
+template <Real R, int N> ISO_HD inline AffineForm<R, N> tanh(const AffineForm<R, N>& a) {
+  const Interval<R> x = interval_of(a), y = tanh(x);
+  return slanted(a, x, y, Interval<R>(R(1)) - square(y), [](const Interval<R>& u) { return tanh(u); });
+}
+template <Real R, int N> ISO_HD inline AffineForm<R, N> atan(const AffineForm<R, N>& a) {
+  const Interval<R> x = interval_of(a), one(R(1));
+  return slanted(a, x, atan(x), one / (one + square(x)), [](const Interval<R>& u) { return atan(u); });
+}
+/// Min-range; undefined, and of the part in [-1, 1], where there is another.
+template <Real R, int N> ISO_HD inline AffineForm<R, N> asin(const AffineForm<R, N>& a) {
+  const Interval<R> range = interval_of(a), x = cut(range, R(-1), R(1)), one(R(1));
+  return slanted(a, x, asin(range), one / sqrt(one - square(x)),
+                 [](const Interval<R>& u) { return asin(u); });
+}
+/// pi / 2 - asin(a).
+template <Real R, int N> ISO_HD inline AffineForm<R, N> acos(const AffineForm<R, N>& a) {
+  return AffineForm<R, N>(enclosed<R>(0x1.921fb54442d18p+0, false)) - asin(a);
+}
+
+/// Chebyshev.
+template <Real R, int N> ISO_HD inline AffineForm<R, N> cosh(const AffineForm<R, N>& a) {
+  const Interval<R> x = interval_of(a);
+  return bent(
+      a, x, cosh(x), [](const Interval<R>& u) { return cosh(u); },
+      [](const Interval<R>& u) { return sinh(u); },
+      [](R slope) { return copysign(log(abs(slope) + sqrt(slope * slope + R(1))), slope); });
+}
+
+}  // namespace isocast::inline ISO_ISA
