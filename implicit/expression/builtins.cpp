@@ -18,6 +18,12 @@ template <Op op> NodeId fold(Expression& e, Arguments a) {
   return all;
 }
 
+NodeId chebyshev(Expression& e, Arguments a) {
+  return e.chebyshev(a[1], static_cast<std::int32_t>(e.constant_at(a[0]).value));
+}
+
+NodeId choose(Expression& e, Arguments a) { return e.choose(a[0], a[1], a[2]); }
+
 NodeId clamp(Expression& e, Arguments a) { return e.binary(Op::min, e.binary(Op::max, a[0], a[1]), a[2]); }
 
 NodeId hypot(Expression& e, Arguments a) {
@@ -56,12 +62,14 @@ constexpr Builtin kBuiltins[] = {
     {"atan2", 2, 2, two<Op::atan2>},
     {"cbrt", 1, 1, one<Op::cbrt>},
     {"ceil", 1, 1, one<Op::ceil>},
+    {"chebyshev", 2, 2, chebyshev, true},
     {"clamp", 3, 3, clamp},
     {"cos", 1, 1, one<Op::cos>},
     {"cosh", 1, 1, one<Op::cosh>},
     {"exp", 1, 1, one<Op::exp>},
     {"floor", 1, 1, one<Op::floor>},
     {"hypot", 2, 2, hypot},
+    {"if", 3, 3, choose},
     {"log", 1, 1, one<Op::log>},
     {"log10", 1, 1, one<Op::log10>},
     {"max", 2, kMany, fold<Op::max>},

@@ -9,11 +9,13 @@
 
 namespace isocast {
 
-/// One function: how many arguments it takes, and the graph of a call.
+/// One function: how many arguments it takes, and the graph of a call. With `degree_first` the first argument
+/// has to be a constant node, a whole number from 0 to kMaxChebyshevDegree.
 struct Builtin {
   std::string_view name;
   std::size_t min_arguments, max_arguments;
   NodeId (*build)(Expression&, std::span<const NodeId> arguments);
+  bool degree_first = false;
 };
 
 /// All functions. clamp, hypot, mix, mod and smoothstep are written in simpler ones: mod(a, b) = a - b

@@ -12,7 +12,8 @@ template <Real R> inline R constant_as(TapeConstant constant, R) {
 }
 
 /// Calls of `run`, for each instruction i in order, that one which fits: run.constant(i), run.variable(i),
-/// run.unary(i, f), run.binary(i, f) or run.power(i). The only place that knows what the operations mean.
+/// run.unary(i, f), run.binary(i, f), run.ternary(i, f) or run.whole(i, f), where f takes i.n beside the
+/// operand. The only place that knows what the operations mean.
 template <class Run> inline void run_tape(const TapeView& tape, Run run) {
   for (const Instruction *at = tape.code, *end = tape.code + tape.length; at != end; ++at) {
     const Instruction& i = *at;
@@ -23,7 +24,8 @@ template <class Run> inline void run_tape(const TapeView& tape, Run run) {
       case Op::abs: run.unary(i, [](auto a) { return abs(a); }); break;
       case Op::sign: run.unary(i, [](auto a) { return sign(a); }); break;
       case Op::square: run.unary(i, [](auto a) { return square(a); }); break;
-      case Op::power: run.power(i); break;
+      case Op::power: run.whole(i, [](auto a, int n) { return power(a, n); }); break;
+      case Op::chebyshev: run.whole(i, [](auto a, int n) { return chebyshev(a, n); }); break;
       case Op::sqrt: run.unary(i, [](auto a) { return sqrt(a); }); break;
       case Op::cbrt: run.unary(i, [](auto a) { return cbrt(a); }); break;
       case Op::exp: run.unary(i, [](auto a) { return exp(a); }); break;
@@ -50,6 +52,7 @@ template <class Run> inline void run_tape(const TapeView& tape, Run run) {
       case Op::pow: run.binary(i, [](auto a, auto b) { return pow(a, b); }); break;
       case Op::atan2: run.binary(i, [](auto a, auto b) { return atan2(a, b); }); break;
       case Op::step: run.binary(i, [](auto a, auto b) { return step(a, b); }); break;
+      case Op::choose: run.ternary(i, [](auto a, auto b, auto c) { return choose(a, b, c); }); break;
     }
   }
 }
@@ -65,7 +68,10 @@ template <class R> struct RunOne {
   template <class F> void binary(const Instruction& i, F f) {
     registers[i.out] = f(registers[i.a], registers[i.b]);
   }
-  void power(const Instruction& i) { registers[i.out] = isocast::power(registers[i.a], i.n); }
+  template <class F> void ternary(const Instruction& i, F f) {
+    registers[i.out] = f(registers[i.a], registers[i.b], registers[i.c]);
+  }
+  template <class F> void whole(const Instruction& i, F f) { registers[i.out] = f(registers[i.a], i.n); }
 };
 
 /// f at inputs[0..3] = x, y, z, w. `registers` has room for Tape::registers and is left with garbage.
@@ -102,15 +108,17 @@ template <ScalarReal T> struct RunBlock {
   template <class F> void binary(const Instruction& i, F f) {
     fill(i, [f, a = place(i.a), b = place(i.b)](int k) { return f(a[k], b[k]); });
   }
-  // The loop over the exponent's bits keeps the compiler from vectorising: lanes by hand.
-  void power(const Instruction& i) {
+  template <class F> void ternary(const Instruction& i, F f) {
+    fill(i, [f, a = place(i.a), b = place(i.b), c = place(i.c)](int k) { return f(a[k], b[k], c[k]); });
+  }
+  // A loop inside f keeps the compiler from vectorising: lanes by hand.
+  template <class F> void whole(const Instruction& i, F f) {
     using Lanes = Pack<T, 16 / sizeof(T)>;
     const T* const a = place(i.a);
     T* const out = place(i.out);
     int k = 0;
-    for (; k + kWidth<Lanes> <= count; k += kWidth<Lanes>)
-      store(out + k, isocast::power(load<Lanes>(a + k), i.n));
-    for (; k < count; ++k) out[k] = isocast::power(a[k], i.n);
+    for (; k + kWidth<Lanes> <= count; k += kWidth<Lanes>) store(out + k, f(load<Lanes>(a + k), i.n));
+    for (; k < count; ++k) out[k] = f(a[k], i.n);
   }
 };
 

@@ -4,8 +4,8 @@ namespace isocast {
 
 std::size_t Expression::NodeHash::operator()(const Node& node) const {
   std::uint64_t hash = static_cast<std::uint64_t>(node.op);
-  for (const std::uint64_t part :
-       {std::uint64_t{node.a}, std::uint64_t{node.b}, static_cast<std::uint64_t>(node.n)}) {
+  for (const std::uint64_t part : {std::uint64_t{node.a}, std::uint64_t{node.b}, std::uint64_t{node.c},
+                                   static_cast<std::uint64_t>(node.n)}) {
     hash = (hash ^ part) * 0x9e3779b97f4a7c15u;
     hash ^= hash >> 32;
   }

@@ -12,11 +12,14 @@ namespace isocast {
 
 using NodeId = std::uint32_t;
 
-/// a and b are operands; of a constant, a is its place among constants(); of a variable, a is 0..3 for x y z
-/// w; n is the exponent of `power`. What an operation does not use is 0.
+/// Degrees above this are refused; the polynomial takes a step a degree.
+inline constexpr int kMaxChebyshevDegree = 1024;
+
+/// a, b and c are operands; of a constant, a is its place among constants(); of a variable, a is 0..3 for x y
+/// z w; n is the exponent of `power` and the degree of `chebyshev`. What an operation does not use is 0.
 struct Node {
   Op op;
-  NodeId a = 0, b = 0;
+  NodeId a = 0, b = 0, c = 0;
   std::int32_t n = 0;
   bool operator==(const Node&) const = default;
 };
@@ -29,7 +32,11 @@ class Expression {
   NodeId variable(int index) { return add({Op::variable, static_cast<NodeId>(index)}); }
   NodeId unary(Op op, NodeId a) { return add({op, a}); }
   NodeId binary(Op op, NodeId a, NodeId b) { return add({op, a, b}); }
-  NodeId power(NodeId a, std::int32_t n) { return add({Op::power, a, 0, n}); }
+  NodeId power(NodeId a, std::int32_t n) { return add({.op = Op::power, .a = a, .n = n}); }
+  /// The Chebyshev polynomial of the first kind T_n at a, 0 <= n <= kMaxChebyshevDegree.
+  NodeId chebyshev(NodeId a, std::int32_t n) { return add({.op = Op::chebyshev, .a = a, .n = n}); }
+  /// a where `condition` is not 0, else b; undefined where the condition is.
+  NodeId choose(NodeId condition, NodeId a, NodeId b) { return add({Op::choose, condition, a, b}); }
   void set_root(NodeId root) { root_ = root; }
 
   [[nodiscard]] NodeId root() const { return root_; }

@@ -32,6 +32,12 @@ std::size_t number_length(std::string_view text) {
   return length;
 }
 
+std::size_t symbol_length(std::string_view text) {
+  if (text.size() > 1 && text[1] == '=' && std::string_view("<>=!").find(text[0]) != std::string_view::npos)
+    return 2;
+  return std::string_view("+-*/^()[],;=<>").find(text[0]) != std::string_view::npos ? 1 : 0;
+}
+
 // The character at the beginning of `text` for a message: itself when it is printable UTF-8, else its first
 // byte.
 std::string describe_character(std::string_view text) {
@@ -56,8 +62,7 @@ Token Lexer::next() {
     const auto end = std::ranges::find_if_not(rest, [](char c) { return is_letter(c) || is_digit(c); });
     return {Token::Kind::name, take(static_cast<std::size_t>(end - rest.begin()))};
   }
-  if (std::string_view("+-*/^(),").find(rest[0]) != std::string_view::npos)
-    return {Token::Kind::symbol, take(1)};
+  if (const std::size_t length = symbol_length(rest)) return {Token::Kind::symbol, take(length)};
   fail(rest, describe_character(rest), "a number, a name, an operator or a parenthesis");
 }
 

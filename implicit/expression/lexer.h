@@ -7,12 +7,13 @@
 
 namespace isocast {
 
-/// A word of a formula; `text` is a part of the formula, empty at its end.
+/// A word of a formula; `text` is a part of the formula, empty at its end. Symbols are + - * / ^ ( ) [ ] , ;
+/// = < > <= >= == !=.
 struct Token {
   enum class Kind { number, name, symbol, end };
   Kind kind;
   std::string_view text;
-  [[nodiscard]] bool is(char symbol) const { return kind == Kind::symbol && text[0] == symbol; }
+  [[nodiscard]] bool is(std::string_view word) const { return text == word; }
 };
 
 /// Cuts a formula into words. Blanks and line ends separate and mean nothing else.

@@ -1,165 +1,134 @@
 #include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/base/text.h>
-#include <isocast/implicit/expression/builtins.h>
-#include <isocast/implicit/expression/lexer.h>
+#include <isocast/implicit/expression/infix.h>
 #include <isocast/implicit/expression/nearest_name.h>
-#include <isocast/implicit/expression/parse.h>
+#include <isocast/implicit/expression/parser.h>
 
-#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace isocast {
-namespace {
 
-constexpr std::string_view kVariables[] = {"x", "y", "z", "w"};
-constexpr std::string_view kOperand = "a number, a name or '('";
-
-// Recursive descent: sum of products of signed powers of operands.
-class Parser {
- public:
-  Parser(std::string_view text, const Parameters& parameters, std::string_view source)
-      : lexer_(text, source), parameters_(parameters), token_(lexer_.next()) {}
-
-  Expression formula() {
-    expression_.set_root(sum());
-    if (token_.kind != Token::Kind::end) fail("an operator or the end of the formula");
-    return std::move(expression_);
-  }
-
- private:
-  NodeId sum() {
-    NodeId left = product();
-    while (token_.is('+') || token_.is('-')) {
-      const Op op = advance().is('+') ? Op::add : Op::subtract;
-      left = expression_.binary(op, left, product());
-    }
-    return left;
-  }
-
-  NodeId product() {
-    NodeId left = signed_power();
-    while (token_.is('*') || token_.is('/')) {
-      const Op op = advance().is('*') ? Op::multiply : Op::divide;
-      left = expression_.binary(op, left, signed_power());
-    }
-    return left;
-  }
-
-  // Every nested part passes here once, which bounds the depth of the recursion.
-  NodeId signed_power() {
-    if (++depth_ > kMaxFormulaNesting)
-      lexer_.fail(token_.text, describe(token_), fmt::format("at most {} nested parts", kMaxFormulaNesting));
-    NodeId node = 0;
-    if (token_.is('-') || token_.is('+')) {
-      const bool negative = advance().is('-');
-      node = signed_power();
-      if (negative) node = expression_.unary(Op::negate, node);
-    } else {
-      node = operand();
-      if (token_.is('^')) {
-        advance();
-        node = expression_.binary(Op::pow, node, signed_power());
-      }
-    }
-    --depth_;
-    return node;
-  }
-
-  NodeId operand() {
-    if (token_.kind == Token::Kind::number) return number();
-    if (token_.kind == Token::Kind::name) return name();
-    if (!token_.is('(')) fail(kOperand);
-    advance();
-    const NodeId node = sum();
-    if (!token_.is(')')) fail("an operator or ')'");
-    advance();
-    return node;
-  }
-
-  NodeId number() {
-    const std::optional<Constant> value = decimal_constant(token_.text);
-    if (!value) fail("a number within the range of double precision");
-    advance();
-    return expression_.constant(*value);
-  }
-
-  // A function's call, else a variable, a parameter, a constant, in this order.
-  NodeId name() {
-    const Token word = advance();
-    if (const Builtin* function = find_builtin(word.text)) return call(word, *function);
-    if (const auto place = std::ranges::find(kVariables, word.text); place != std::end(kVariables))
-      return expression_.variable(static_cast<int>(place - std::begin(kVariables)));
-    const auto is_named = [&](const Parameter& parameter) { return parameter.name == word.text; };
-    if (const auto found = std::find_if(parameters_.rbegin(), parameters_.rend(), is_named);
-        found != parameters_.rend())
-      return expression_.constant(found->value);
-    if (const std::optional<Constant> constant = named_constant(word.text))
-      return expression_.constant(*constant);
-    fail_unknown(word);
-  }
-
-  NodeId call(const Token& word, const Builtin& function) {
-    if (!token_.is('(')) fail(fmt::format("'(' after the function {}", word.text));
-    std::vector<NodeId> arguments;
-    do {
-      advance();
-      arguments.push_back(sum());
-    } while (token_.is(','));
-    if (!token_.is(')')) fail("an operator, ',' or ')'");
-    advance();
-    if (arguments.size() < function.min_arguments || arguments.size() > function.max_arguments)
-      lexer_.fail(word.text, fmt::format("{} of {}", plural(arguments.size()), word.text),
-                  fmt::format("{}{}", function.max_arguments > 3 ? "at least " : "", function.min_arguments));
-    return function.build(expression_, arguments);
-  }
-
-  static std::string plural(std::size_t count) {
-    return fmt::format("{} argument{}", count, count == 1 ? "" : "s");
-  }
-
-  Token advance() {
-    const Token passed = token_;
-    token_ = lexer_.next();
-    return passed;
-  }
-
-  [[noreturn]] void fail(std::string_view expected) const {
-    lexer_.fail(token_.text, describe(token_), std::string(expected));
-  }
-
-  [[noreturn]] void fail_unknown(const Token& word) const {
-    std::vector<std::string> known(std::begin(kVariables), std::end(kVariables));
-    for (const Parameter& parameter : parameters_) known.push_back(parameter.name);
-    for (const Builtin& function : builtins()) known.emplace_back(function.name);
-    known.insert(known.end(), {"pi", "e", "phi"});
-    const std::string nearest = nearest_name(word.text, known);
-    lexer_.fail(word.text, "the unknown name " + in_quotes(word.text),
-                "a variable (x y z w), a parameter, a constant (pi e phi) or a function" +
-                    (nearest.empty() ? "" : fmt::format("; the nearest is '{}'", nearest)));
-  }
-
-  Lexer lexer_;
-  const Parameters& parameters_;
-  Expression expression_;
-  Token token_;
-  int depth_ = 0;
-};
-
-void check_parameters(const Parameters& parameters) {
-  for (const Parameter& parameter : parameters)
-    if (find_builtin(parameter.name) || std::ranges::count(kVariables, std::string_view(parameter.name)))
-      throw InputError(
-          fmt::format("the parameter {} has the name of a variable or a function, expected a name of its own",
-                      in_quotes(parameter.name)));
+Expression Parser::formula() {
+  while (at_definition()) definition();
+  expression_.set_root(expression());
+  if (token().kind != Token::Kind::end) reader_.fail("an operator or the end of the formula");
+  return std::move(expression_);
 }
 
-}  // namespace
+NodeId Parser::expression(int level) {
+  NodeId left = token().is("not") && level <= kComparisonLevel ? negation() : signed_power();
+  bool compared = false;
+  for (const Infix* infix; (infix = find_infix(token().text)) && infix->level >= level;) {
+    if (compared && infix->level == kComparisonLevel) reader_.fail("'and' or 'or' after a comparison");
+    compared = infix->level == kComparisonLevel;
+    reader_.advance();
+    left = infix->build(expression_, left, expression(infix->level + 1));
+  }
+  return left;
+}
+
+NodeId Parser::negation() {
+  std::size_t count = 0;
+  for (; token().is("not"); ++count) reader_.advance();
+  NodeId node = expression(kComparisonLevel);
+  for (; count > 0; --count) node = logical_not(expression_, node);
+  return node;
+}
+
+NodeId Parser::signed_power() {
+  if (++depth_ > kMaxFormulaNesting) reader_.fail(fmt::format("at most {} nested parts", kMaxFormulaNesting));
+  NodeId node = 0;
+  if (token().is("-") || token().is("+")) {
+    const bool negative = reader_.advance().is("-");
+    node = signed_power();
+    if (negative) node = expression_.unary(Op::negate, node);
+  } else {
+    node = operand();
+    if (token().is("^")) {
+      reader_.advance();
+      node = expression_.binary(Op::pow, node, signed_power());
+    }
+  }
+  --depth_;
+  return node;
+}
+
+NodeId Parser::operand() {
+  if (token().kind == Token::Kind::number) return literal();
+  if (token().kind == Token::Kind::name && !Scope::is_keyword(token().text)) return name();
+  reader_.expect("(", "a number, a name or '('");
+  const NodeId node = expression();
+  reader_.expect(")", "an operator or ')'");
+  return node;
+}
+
+NodeId Parser::literal() {
+  const std::optional<Constant> value = decimal_constant(token().text);
+  if (!value) reader_.fail("a number within the range of double precision");
+  reader_.advance();
+  return expression_.constant(*value);
+}
+
+NodeId Parser::name() {
+  const Token word = reader_.advance();
+  if (const Builtin* function = find_builtin(word.text)) return call(word, *function);
+  if (word.is("sum")) return sum();
+  if (const std::optional<NodeId> value = scope_.value(expression_, word.text)) return *value;
+  if (const UserFunction* function = scope_.function(word.text)) return call(word, *function);
+  fail_unknown(word);
+}
+
+NodeId Parser::call(const Token& word, const Builtin& function) {
+  const std::vector<NodeId> nodes = arguments(word, function.min_arguments, function.max_arguments);
+  if (function.degree_first && !is_degree(nodes[0]))
+    reader_.fail(word, fmt::format("a degree of {} that is no plain number in range", word.text),
+                 fmt::format("a whole number from 0 to {}", kMaxChebyshevDegree));
+  return function.build(expression_, nodes);
+}
+
+std::vector<NodeId> Parser::arguments(const Token& word, std::size_t at_least, std::size_t at_most) {
+  if (!token().is("(")) reader_.fail(fmt::format("'(' after the function {}", word.text));
+  std::vector<NodeId> arguments = tuple();
+  const std::size_t count = arguments.size();
+  if (count < at_least || count > at_most)
+    reader_.fail(word, fmt::format("{} argument{} of {}", count, count == 1 ? "" : "s", word.text),
+                 fmt::format("{}{}", at_most > at_least ? "at least " : "", at_least));
+  return arguments;
+}
+
+std::vector<NodeId> Parser::tuple() {
+  std::vector<NodeId> numbers;
+  do {
+    reader_.advance();
+    numbers.push_back(expression());
+  } while (token().is(","));
+  reader_.expect(")", "an operator, ',' or ')'");
+  return numbers;
+}
+
+bool Parser::is_degree(NodeId id) const {
+  if (expression_.node(id).op != Op::constant) return false;
+  const Constant& degree = expression_.constant_at(id);
+  return degree.exact && degree.value >= 0 && degree.value <= kMaxChebyshevDegree &&
+         degree.value == std::floor(degree.value);
+}
+
+void Parser::fail_unknown(const Token& word) const {
+  if (word.is(being_defined_))
+    reader_.fail(word, fmt::format("{} in its own definition", in_quotes(word.text)),
+                 "only names that are defined before");
+  const std::string nearest = nearest_name(word.text, scope_.known());
+  reader_.fail(word, "the unknown name " + in_quotes(word.text),
+               "a variable (x y z w), a parameter, a constant (pi e phi) or a function" +
+                   (nearest.empty() ? "" : fmt::format("; the nearest is '{}'", nearest)));
+}
 
 Expression parse_expression(std::string_view text, const Parameters& parameters, std::string_view source) {
   if (text.size() > kMaxFormulaBytes)
     throw InputError(
         fmt::format("{}: found {} bytes, expected at most {}", source, text.size(), kMaxFormulaBytes));
-  check_parameters(parameters);
   return Parser(text, parameters, source).formula();
 }
 

@@ -1,9 +1,11 @@
+#include <isocast/implicit/expression/polynomial.h>
 #include <isocast/implicit/expression/simplify.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 
 namespace isocast {
@@ -55,6 +57,7 @@ std::optional<double> exact_value(Op op, double a, double b, int n) {
   switch (op) {
     case Op::negate: return -a;
     case Op::abs: return std::abs(a);
+    case Op::sign: return double((a > 0) - (a < 0));
     case Op::square: return exact_product(a, a);
     case Op::power: return exact_power(a, n);
     case Op::sqrt: return exact_root(a);
@@ -67,6 +70,7 @@ std::optional<double> exact_value(Op op, double a, double b, int n) {
     case Op::divide: return exact_quotient(a, b);
     case Op::min: return a < b ? a : b;
     case Op::max: return a > b ? a : b;
+    case Op::step: return double(b >= a);
     case Op::pow: return small_integer(b) ? exact_power(a, *small_integer(b)) : std::nullopt;
     default: return std::nullopt;
   }
@@ -75,23 +79,34 @@ std::optional<double> exact_value(Op op, double a, double b, int n) {
 // Builds the simpler graph from operands that are simple already.
 class Simplifier {
  public:
-  NodeId build(const Node& node, NodeId a, NodeId b) {
+  NodeId build(const Node& node, NodeId a, NodeId b, NodeId c) {
     if (const std::optional<double> value = folded(node, a, b)) return number(*value);
+    const NodeId id = rewritten(node, a, b, c);
+    if (shows_truth(id)) truths_.insert(id);
+    const std::optional<Polynomials::Chebyshev> found = polynomials_.as_chebyshev(id);
+    return found ? out.chebyshev(found->base, found->degree) : id;
+  }
+
+  Expression out;
+
+ private:
+  NodeId rewritten(const Node& node, NodeId a, NodeId b, NodeId c) {
     switch (node.op) {
       case Op::negate: return out.node(a).op == Op::negate ? out.node(a).a : out.unary(Op::negate, a);
+      case Op::abs:
+      case Op::sign: return is_truth(a) ? a : out.unary(node.op, a);
       case Op::add: return sum(a, b);
       case Op::subtract: return difference(a, b);
       case Op::multiply: return product(a, b);
       case Op::divide: return quotient(a, b);
       case Op::pow: return raised(a, b);
       case Op::power: return power(a, node.n);
+      case Op::chebyshev: return chebyshev(a, node.n);
+      case Op::choose: return choice(a, b, c);
       default: return operand_count(node.op) == 1 ? out.unary(node.op, a) : out.binary(node.op, a, b);
     }
   }
 
-  Expression out;
-
- private:
   NodeId number(double value) { return out.constant(exact_constant(value)); }
 
   // The number at a node when double precision holds it exactly.
@@ -133,6 +148,7 @@ class Simplifier {
 
   NodeId difference(NodeId a, NodeId b) {
     if (is_number(b, 0)) return a;
+    if (is_number(a, 1) && is_opposite(b)) return out.node(b).b;
     if (out.node(b).op == Op::negate) return sum(a, out.node(b).a);
     return out.binary(Op::subtract, a, b);
   }
@@ -161,6 +177,45 @@ class Simplifier {
     if (n == 1) return a;
     return n == 2 ? out.unary(Op::square, a) : out.power(a, n);
   }
+
+  // T_1(x) = x, T_m(T_n(x)) = T_mn(x)
+  NodeId chebyshev(NodeId a, int n) {
+    if (n == 1) return a;
+    const Node& inner = out.node(a);
+    if (inner.op == Op::chebyshev && n * inner.n <= kMaxChebyshevDegree)
+      return out.chebyshev(inner.a, n * inner.n);
+    return out.chebyshev(a, n);
+  }
+
+  NodeId choice(NodeId condition, NodeId a, NodeId b) {
+    if (const std::optional<double> value = exact_number(condition)) return *value != 0 ? a : b;
+    if (is_opposite(condition)) return choice(out.node(condition).b, b, a);
+    const Node& node = out.node(condition);
+    if (node.op == Op::sign && out.node(node.a).op == Op::abs) return out.choose(out.node(node.a).a, a, b);
+    return out.choose(condition, a, b);
+  }
+
+  // Whether a node is 0, 1 or undefined for what it is made of, as comparisons, and, or and not are.
+  bool shows_truth(NodeId id) const {
+    const Node& node = out.node(id);
+    switch (node.op) {
+      case Op::step: return true;
+      case Op::square: return is_truth(node.a);
+      case Op::multiply: return is_truth(node.a) && is_truth(node.b);
+      case Op::subtract: return is_number(node.a, 1) && is_truth(node.b);
+      case Op::sign: {
+        const Node& inner = out.node(node.a);
+        return inner.op == Op::abs || (inner.op == Op::add && is_truth(inner.a) && is_truth(inner.b));
+      }
+      default: return false;
+    }
+  }
+  bool is_truth(NodeId id) const { return truths_.contains(id); }
+  // 1 - truth
+  bool is_opposite(NodeId id) const { return out.node(id).op == Op::subtract && is_truth(id); }
+
+  Polynomials polynomials_{out};
+  std::unordered_set<NodeId> truths_;
 };
 
 }  // namespace
@@ -172,7 +227,7 @@ Expression simplify(const Expression& expression) {
   for (const Node& node : expression.nodes()) {
     if (node.op == Op::constant) simple.push_back(simplifier.out.constant(expression.constants()[node.a]));
     else if (node.op == Op::variable) simple.push_back(simplifier.out.variable(static_cast<int>(node.a)));
-    else simple.push_back(simplifier.build(node, simple[node.a], simple[node.b]));
+    else simple.push_back(simplifier.build(node, simple[node.a], simple[node.b], simple[node.c]));
   }
   simplifier.out.set_root(simple[expression.root()]);
   return std::move(simplifier.out);

@@ -73,6 +73,12 @@ const Case kCases[] = {
     {"step(y, x)", [](double x, double y) { return x < y ? 0.0 : 1.0; }, -2, 2},
     {"smoothstep(-1, 2, x)",
      [](double x, double) { return std::pow(fraction(-1, 2, x), 2) * (3 - 2 * fraction(-1, 2, x)); }, -3, 4},
+    {"3 + chebyshev(2, x)", [](double x, double) { return 2 * x * x + 2; }, -2, 2},
+    {"9 + chebyshev(3, x)", [](double x, double) { return 9 + (4 * x * x - 3) * x; }, -1, 2},
+    {"if(x < y, x, 2*y)", [](double x, double y) { return x < y ? x : 2 * y; }, -3, 3},
+    {"x < y", [](double x, double y) { return double(x < y); }, -3, 3},
+    {"x >= y or not x <= 1", [](double x, double y) { return double(x >= y || x > 1); }, -3, 3},
+    {"x != y and x > 0", [](double x, double y) { return double(x != y && x > 0); }, -3, 3},
 };
 
 template <class T> bool same_bits(T a, T b) {

@@ -61,6 +61,17 @@ TEST_CASE("what changes nothing is left out") {
   CHECK(operations("x - -y") == std::vector{Op::variable, Op::variable, Op::add});
 }
 
+TEST_CASE("conditions are made only once") {
+  CHECK(operations("if(not x, y, z)") == operations("if(x, z, y)"));
+  CHECK(operations("if(not (x < y), 1, 2)") == operations("if(x >= y, 1, 2)"));
+  CHECK(operations("not not (x < y)") == operations("x < y"));
+  CHECK(operations("if(1 < 2, x, sqrt(y))") == std::vector{Op::variable});
+  CHECK(operations("if(0, x, y)") == std::vector{Op::variable});
+  CHECK(operations("x >= y and y >= z").size() == 6);
+  CHECK(operations("sign(-3) + step(1, 2)") == std::vector{Op::constant});
+  CHECK(operations("if(x, y, y)").size() > 1);
+}
+
 TEST_CASE("integer powers become repeated squaring") {
   CHECK(operations("x^2").back() == Op::square);
   CHECK(operations("x^3").back() == Op::power);
@@ -93,8 +104,10 @@ TEST_CASE("NaN and the sign of zero survive") {
 TEST_CASE("simplifying does not change bits, powers apart") {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> coordinate(-2, 2);
-  for (const char* text : {"--x + 0 - (y + 0)*1", "-x + -y - -z*x*x/8", "(2*3 + 1/4)*x/2 + 0*y",
-                           "x*y + y*x - (z + -x)/0.5", "max(x, y + 0) - min(-x, --z) + (x - 0)/(1 - 3)"}) {
+  for (const char* text :
+       {"--x + 0 - (y + 0)*1", "-x + -y - -z*x*x/8", "(2*3 + 1/4)*x/2 + 0*y", "x*y + y*x - (z + -x)/0.5",
+        "max(x, y + 0) - min(-x, --z) + (x - 0)/(1 - 3)",
+        "if(not (x < y), x*1, -y) + (x <= 0 and not y or z > 1)", "if(x, y, z) - (not not x)*(x != y)"}) {
     const Expression plain = parse_expression(text);
     const Tape before = make_tape(plain), after = make_tape(simplify(plain));
     CHECK(after.code.size() < before.code.size());
