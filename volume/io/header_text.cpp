@@ -3,6 +3,7 @@
 #include <isocast/volume/io/header_text.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 
 namespace isocast {
@@ -40,6 +41,9 @@ std::filesystem::path data_file_beside(const std::filesystem::path& header, std:
   if (name == "LIST" || name.starts_with("LIST ") || name.find('%') != name.npos)
     throw read_error(header,
                      "its samples lie in several files (" + in_quotes(name) + "), expected one data file");
+  if (std::ranges::any_of(name, [](unsigned char c) { return std::iscntrl(c); }))
+    throw read_error(
+        header, "its samples lie in " + in_quotes(name) + ", expected a name without control characters");
   return header.parent_path() / name;
 }
 

@@ -16,6 +16,15 @@ Inflater::Inflater(std::span<const std::byte> compressed, std::filesystem::path 
   if (inflateInit2(stream_.get(), kZlibOrGzip) != Z_OK) throw std::bad_alloc();
 }
 
+Inflater::Inflater(const Inflater& other)
+    : compressed_(other.compressed_),
+      fed_(other.fed_),
+      path_(other.path_),
+      stream_(std::make_unique<z_stream_s>()),
+      finished_(other.finished_) {
+  if (inflateCopy(stream_.get(), other.stream_.get()) != Z_OK) throw std::bad_alloc();
+}
+
 Inflater::~Inflater() { inflateEnd(stream_.get()); }
 
 std::size_t Inflater::read(std::span<std::byte> out) {
@@ -53,6 +62,8 @@ std::uint64_t Inflater::skip(std::uint64_t bytes) {
         read({ignored, static_cast<std::size_t>(std::min<std::uint64_t>(sizeof ignored, bytes - skipped))});
   return skipped;
 }
+
+std::uint64_t Inflater::count_ahead(std::uint64_t bytes) const { return Inflater(*this).skip(bytes); }
 
 InputError Inflater::damage() const {
   check_mapped_files();  // zeros of a file that shrank are no fault of the stream

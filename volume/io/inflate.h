@@ -19,7 +19,6 @@ class Inflater {
  public:
   Inflater(std::span<const std::byte> compressed, std::filesystem::path path);
   ~Inflater();
-  Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
   /// Fills `out`, returns the bytes filled: fewer where the stream ends. Throws InputError (with the path and
@@ -27,9 +26,12 @@ class Inflater {
   std::size_t read(std::span<std::byte> out);
   /// Reads `bytes` and forgets them, returns how many there were.
   std::uint64_t skip(std::uint64_t bytes);
+  /// How many of the next `bytes` bytes there are; the stream stays where it is.
+  [[nodiscard]] std::uint64_t count_ahead(std::uint64_t bytes) const;
   [[nodiscard]] std::uint64_t compressed_bytes() const { return compressed_.size(); }
 
  private:
+  Inflater(const Inflater& other);
   [[nodiscard]] InputError damage() const;
   void finish_member();
 

@@ -156,7 +156,7 @@ void read_samples(Volume& volume, const Header& header, const MappedFile& file, 
     throw read_error(path,
                      fmt::format("expected {} bytes of compressed data, found {}", stated, rest.size()));
   Inflater inflater(stated > 0 ? rest.first(stated) : rest, path);
-  inflate_samples(volume, inflater, big_endian, path);
+  inflate_samples(volume, inflater, 0, big_endian, path);
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ const StoredGrid& choose_grid(const std::vector<StoredGrid>& grids, const std::s
       throw read_error(path, fmt::format("its grid {} is of type {}, expected one of {}",
                                          in_quotes(grid.name), type, kTypes));
     }
-    all += fmt::format("{}{} ({})", all.empty() ? "" : ", ", in_quotes(grid.name), type);
+    add_to_list(all, fmt::format("{} ({})", in_quotes(grid.name), type));
   }
   throw read_error(path, name.empty() ? fmt::format("none of its grids is of type {}: {}", kTypes, all)
                                       : fmt::format("it has no grid {}, only {}", in_quotes(name), all));
@@ -101,12 +101,13 @@ MappedFile plain_bytes(const StoredGrid& grid, const MappedFile& file, const std
         path, fmt::format("its compression is number {}, expected 0, 1 (zip) or 2 (blosc)", int(grid.codec)));
   // the compressed size, then a zlib stream
   if (grid.stored.size() < 8) throw read_error(path, "it ends inside a compressed grid");
-  const auto bytes = std::make_shared<std::vector<std::byte>>(grid.bytes);
+  const auto memory = std::make_shared_for_overwrite<std::byte[]>(grid.bytes);
+  const std::span<std::byte> bytes(memory.get(), grid.bytes);
   Inflater inflater(grid.stored.subspan(8), path);
-  if (const std::size_t found = inflater.read(*bytes); found != grid.bytes)
+  if (const std::uint64_t found = inflate_into(bytes, inflater); found != grid.bytes)
     throw read_error(
         path, fmt::format("its grid {} has {} bytes, expected {}", in_quotes(grid.name), found, grid.bytes));
-  return {bytes, *bytes};
+  return {memory, bytes};
 }
 
 }  // namespace

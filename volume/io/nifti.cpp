@@ -38,9 +38,10 @@ Volume read_nifti(const std::filesystem::path& path) {
     place_samples(volume, file, header.offset, header.big_endian, path);
     return volume;
   }
-  if (header.offset < length) inflater.emplace(file.bytes, path).skip(header.offset);
-  else inflater->skip(header.offset - length);
-  inflate_samples(volume, *inflater, header.big_endian, path);
+  const bool behind = header.offset >= length;
+  if (!behind) inflater.emplace(file.bytes, path);
+  inflate_samples(volume, *inflater, behind ? header.offset - length : header.offset, header.big_endian,
+                  path);
   return volume;
 }
 

@@ -81,8 +81,7 @@ void read_samples(Volume& volume, const NrrdHeader& header, const MappedFile& fi
         path, "the encoding " + in_quotes(header.encoding) + " is not supported, expected raw or gzip");
   if (header.byte_skip < 0) throw read_error(path, "a byte skip of -1 needs the encoding raw");
   Inflater inflater(file.bytes.subspan(offset), path);
-  inflater.skip(static_cast<std::uint64_t>(header.byte_skip));
-  inflate_samples(volume, inflater, big_endian, path);
+  inflate_samples(volume, inflater, static_cast<std::uint64_t>(header.byte_skip), big_endian, path);
 }
 
 }  // namespace

@@ -64,6 +64,13 @@ void check_transform(const Transform& transform, const std::filesystem::path& pa
 
 }  // namespace
 
+bool has_volume_extension(const std::filesystem::path& path) {
+  const std::string name = lower_case(path.filename().string());
+  const auto fits = [&](const auto& reader) { return name.ends_with(reader.extension); };
+  return name.ends_with(".raw") || std::ranges::any_of(kReaders, fits) ||
+         std::ranges::any_of(kGridReaders, fits);
+}
+
 Volume read_volume(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string name = lower_case(path.filename().string());
   // these mistakes come before wrong extensions and missing dimensions

@@ -25,6 +25,9 @@ struct ReadOptions {
   [[nodiscard]] bool describes_raw() const { return dims || type || big_endian || skip; }
 };
 
+/// Whether a name ends like that of a format below; capitals count alike.
+[[nodiscard]] bool has_volume_extension(const std::filesystem::path& path);
+
 /// Reads a volume; the extension chooses the format: .raw .nrrd .nhdr .mhd .mha .nii .nii.gz
 /// .vti.
 ///

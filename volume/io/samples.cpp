@@ -82,21 +82,36 @@ void place_last_samples(Volume& volume, const MappedFile& file, std::uint64_t of
   place_samples(volume, file, std::max(offset, size - std::min(size, bytes)), big_endian, path);
 }
 
-void inflate_samples(Volume& volume, Inflater& inflater, bool big_endian, const std::filesystem::path& path) {
-  const std::uint64_t bytes = checked_bytes(volume, path);
-  check_ratio(bytes, inflater.compressed_bytes(), path);
-  const std::span<std::byte> samples(allocate_samples(volume, path), bytes);
+std::uint64_t kept_unseen(std::uint64_t compressed) { return compressed + 192'000'000; }
 
-  // slab after slab
+std::uint64_t inflate_into(std::span<std::byte> out, Inflater& inflater) {
   constexpr std::size_t kSlab = std::size_t(16) << 20;
-  Progress progress("inflating", static_cast<std::int64_t>(bytes));
-  for (std::size_t done = 0; done < bytes;) {
-    const std::span<std::byte> slab = samples.subspan(done, std::min(kSlab, samples.size() - done));
+  const std::uint64_t unseen = kept_unseen(inflater.compressed_bytes());
+  Progress progress("inflating", static_cast<std::int64_t>(out.size()));
+  bool seen = false;
+  for (std::size_t done = 0; done < out.size();) {
+    const std::span<std::byte> rest = out.subspan(done), slab = rest.first(std::min(kSlab, rest.size()));
+    if (!seen && done + slab.size() > unseen) {
+      if (const std::uint64_t ahead = inflater.count_ahead(rest.size()); ahead < rest.size())
+        return done + ahead;
+      seen = true;
+    }
     const std::size_t filled = inflater.read(slab);
     done += filled;
-    if (filled < slab.size()) throw missing_samples(volume, done, path);
+    if (filled < slab.size()) return done;
     progress.add(static_cast<std::int64_t>(filled));
   }
+  return out.size();
+}
+
+void inflate_samples(Volume& volume, Inflater& inflater, std::uint64_t skip, bool big_endian,
+                     const std::filesystem::path& path) {
+  const std::uint64_t bytes = checked_bytes(volume, path);
+  check_ratio(skip + bytes, inflater.compressed_bytes(), path);
+  const std::span<std::byte> samples(allocate_samples(volume, path), bytes);
+  inflater.skip(skip);
+  if (const std::uint64_t found = inflate_into(samples, inflater); found < bytes)
+    throw missing_samples(volume, found, path);
 
   // one byte more makes zlib compare its checksum where the stream ends with the samples
   inflater.skip(1);

@@ -32,9 +32,17 @@ void place_samples(Volume& volume, const MappedFile& file, std::uint64_t offset,
 void place_last_samples(Volume& volume, const MappedFile& file, std::uint64_t offset, bool big_endian,
                         const std::filesystem::path& path);
 
-/// The next samples of a compressed stream. Throws InputError when it is damaged, ends before, or is too
-/// small to hold them (check_ratio).
-void inflate_samples(Volume& volume, Inflater& inflater, bool big_endian, const std::filesystem::path& path);
+/// Bytes that are kept of so many compressed ones, before a look ahead has found all of those that should
+/// follow: a broken stream then takes less memory than twice its file and 256 MB.
+[[nodiscard]] std::uint64_t kept_unseen(std::uint64_t compressed);
+
+/// The next bytes of a compressed stream; the number filled, which is below that of `out` where it ends.
+[[nodiscard]] std::uint64_t inflate_into(std::span<std::byte> out, Inflater& inflater);
+
+/// Samples of a compressed stream, behind `skip` of its bytes. Throws InputError when it is damaged, ends
+/// before, or is too small to hold them (check_ratio).
+void inflate_samples(Volume& volume, Inflater& inflater, std::uint64_t skip, bool big_endian,
+                     const std::filesystem::path& path);
 
 /// The error of a file that holds fewer bytes of samples than it should.
 [[nodiscard]] InputError missing_samples(const Volume& volume, std::uint64_t found,

@@ -140,11 +140,12 @@ Volume read_vdb(const std::filesystem::path& path, const std::string& grid_name)
 
 MappedFile inflate_blosc(std::span<const std::byte> blocks, std::uint64_t bytes, const MappedFile& file,
                          const std::filesystem::path& path) {
+  constexpr std::uint64_t kBloscMemory = 160'000'000;  // it works in pieces
   const auto offset = static_cast<std::uint64_t>(blocks.data() - file.bytes.data());
   const MappedFile plain = ask_openvdb(path,
                                        {"unblosc", path.string(), std::to_string(offset),
                                         std::to_string(blocks.size()), std::to_string(bytes)},
-                                       plausible_memory(bytes), plausible_seconds(bytes));
+                                       kBloscMemory, plausible_seconds(bytes));
   if (plain.bytes.size() != bytes)
     throw read_error(path,
                      fmt::format("its compressed grid has {} bytes, expected {}", plain.bytes.size(), bytes));

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <isocast/base/text.h>
 #include <isocast/volume/io/vdb_header.h>
 
 #include <algorithm>
@@ -111,8 +112,8 @@ VdbHeader read_vdb_header(std::span<const std::byte> file) {
       grid.end = file.size();
     }
     if (grid.begin < fields.at() || grid.begin > grid.end || grid.end > file.size())
-      throw std::runtime_error(fmt::format("its grid '{}' lies at bytes {} to {}, the file ends at byte {}",
-                                           grid.name, grid.begin, grid.end, file.size()));
+      throw std::runtime_error(fmt::format("its grid {} lies at bytes {} to {}, the file ends at byte {}",
+                                           in_quotes(grid.name), grid.begin, grid.end, file.size()));
     read_grid(file, grid);
     fields = Fields(file, grid.end);
     header.grids.push_back(std::move(grid));

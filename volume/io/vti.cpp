@@ -6,6 +6,7 @@
 #include <isocast/volume/io/vti.h>
 #include <isocast/volume/io/vti_array.h>
 
+#include <algorithm>
 #include <pugixml.hpp>
 
 namespace isocast {
@@ -32,6 +33,12 @@ void parse_document(VtiDocument& document, std::string_view text, const std::fil
     head += text.substr(head.size(), tag_end + 1 - head.size());
     head += "</AppendedData></VTKFile>";
   }
+  // each costs many times its bytes
+  constexpr std::ptrdiff_t kMostMarks = 1'000'000;
+  const auto marks = std::ranges::count_if(head, [](char c) { return c == '<' || c == '='; });
+  if (marks > kMostMarks)
+    throw read_error(
+        path, fmt::format("its XML has {} elements and attributes, expected at most {}", marks, kMostMarks));
   if (trimmed(head).empty()) throw read_error(path, "it is empty, expected a VTKFile element");
   const pugi::xml_parse_result result =
       document.xml.load_buffer_inplace(head.data(), head.size(), pugi::parse_default, pugi::encoding_utf8);

@@ -113,20 +113,26 @@ void read_blocks(Volume& volume, const VtiArray& array, const std::filesystem::p
     throw read_error(path, fmt::format("expected {} bytes of compressed data, found {}", end, bytes.size()));
   check_ratio(checked_bytes(volume, path), end - blocks.begin[0], path);
 
-  // each block to its place
+  // each block to its place, the later ones of many after a look into all of them
   std::byte* const samples = allocate_samples(volume, path);
   Progress progress("inflating", static_cast<std::int64_t>(needed));
-  oneapi::tbb::parallel_for(std::uint64_t(0), needed, [&](std::uint64_t b) {
+  const auto read_block = [&](std::uint64_t b, bool keep) {
     throw_if_interrupted();
     Inflater inflater(bytes.subspan(blocks.begin[b], blocks.begin[b + 1] - blocks.begin[b]), path);
     const std::uint64_t plain = std::min(blocks.plain_size, expected - b * blocks.plain_size);
-    const std::uint64_t found = inflater.read({samples + b * blocks.plain_size, plain});
+    const std::uint64_t found =
+        keep ? inflater.read({samples + b * blocks.plain_size, plain}) : inflater.skip(plain);
     if (found < plain)
       throw read_error(
           path, fmt::format("block {} of the data array holds {} bytes, expected {}", b, found, plain));
     inflater.skip(1);  // compares the block's checksum
-    progress.add();
-  });
+    if (keep) progress.add();
+  };
+  using oneapi::tbb::parallel_for;
+  const std::uint64_t early = std::min(needed, kept_unseen(end) / blocks.plain_size);
+  parallel_for(std::uint64_t(0), early, [&](std::uint64_t b) { read_block(b, true); });
+  parallel_for(early, needed, [&](std::uint64_t b) { read_block(b, false); });
+  parallel_for(early, needed, [&](std::uint64_t b) { read_block(b, true); });
   copy_to_native({samples, expected}, samples, size_of(volume.type), array.big_endian);
 }
 
