@@ -1,11 +1,13 @@
 // isocast methods: every method, what it applies to and proves, its options and defaults.
 #include <fmt/format.h>
 #include <isocast/apps/isocast/verbs.h>
+#include <isocast/implicit/methods.h>
 #include <isocast/volume/methods.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 namespace isocast::verbs {
 namespace {
@@ -35,14 +37,21 @@ void print(const Method& method) {
                option.unit.empty() ? "" : " ", option.unit, option.meaning);
 }
 
+std::vector<Method> all_methods() {
+  const auto volumes = volume_methods(), formulas = formula_methods();
+  std::vector<Method> all(volumes.begin(), volumes.end());
+  all.insert(all.end(), formulas.begin(), formulas.end());
+  return all;
+}
+
 void run(bool json) {
   if (json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Method& method : volume_methods()) list.push_back(to_json(method));
+    for (const Method& method : all_methods()) list.push_back(to_json(method));
     fmt::print("{}\n", list.dump(2));
   } else {
-    for (const Method& method : volume_methods()) print(method);
-    fmt::print("--method auto takes marmitt for volumes.\n");
+    for (const Method& method : all_methods()) print(method);
+    fmt::print("--method auto takes marmitt for volumes and affine for formulas.\n");
   }
 }
 

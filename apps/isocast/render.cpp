@@ -1,5 +1,6 @@
-// isocast render: a picture of a volume's iso-surfaces.
+// isocast render: a picture of the iso-surfaces of a volume or a formula.
 #include <fmt/format.h>
+#include <isocast/apps/isocast/formula_input.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/isocast/stats.h>
 #include <isocast/apps/isocast/verbs.h>
@@ -31,7 +32,8 @@ struct Words {
   std::string input, output, iso, iso_sweep, colors, method = "auto", size = "1024x1024", isa = "auto",
                                                      precision = "float";
   std::string position, target, up, fov, ortho, normals = "gradient", light, aov, stats;
-  std::vector<std::string> set;
+  std::string domain, time;
+  std::vector<std::string> set, params;
   bool shadows = false;
   int spp = 1, threads = 0;
   ReadOptions read;
@@ -82,21 +84,30 @@ std::vector<std::vector<double>> parse_frames(const Words& words) {
   return frames;
 }
 
+std::variant<VolumeSource, FormulaSource> find_source(const Words& words) {
+  FormulaRequest request{words.input, parse_parameters(words.params, "--param"), {}};
+  if (is_volume_file(words.input, request.parameters)) {
+    if (!words.params.empty() || !words.domain.empty() || !words.time.empty())
+      throw InputError("found --param, --domain or --time for a volume, expected them for a formula");
+    return VolumeSource{words.input, words.read};
+  }
+  if (words.normals == "difference")
+    throw InputError("found --normals difference for a formula, whose gradient is exact");
+  if (!words.domain.empty()) request.domain = parse_domain(words.domain, "--domain");
+  FormulaInput input = read_formula(request);
+  return FormulaSource{std::move(input.expression), input.domain,
+                       words.time.empty() ? 0 : parse_number(words.time, "--time")};
+}
+
 SceneDescription describe(const Words& words) {
-  const bool file = words.input.find('/') != std::string::npos || fs::path(words.input).has_extension();
-  if (words.input.starts_with('@') || words.input.starts_with(' ') || !file)
-    throw InputError(
-        fmt::format("{}: this version renders volume files; sample the formula first with 'isocast sample'",
-                    typed_formula(words.input)));
   SceneDescription scene;
-  scene.volume.file = words.input;
-  scene.volume.read = words.read;
-  scene.volume.method = words.method;
-  for (const std::string& word : words.set) scene.volume.settings.insert(parse_key_value(word, "--set"));
+  ObjectDescription& object = scene.object;
+  object.source = find_source(words);
+  object.method = words.method;
+  for (const std::string& word : words.set) object.settings.insert(parse_key_value(word, "--set"));
   if (!words.colors.empty())
-    for (const std::string& color : split(words.colors, ','))
-      scene.volume.colors.push_back(color_from_hex(color));
-  scene.volume.normals = words.normals == "difference" ? NormalKind::difference : NormalKind::gradient;
+    for (const std::string& color : split(words.colors, ',')) object.colors.push_back(color_from_hex(color));
+  object.normals = words.normals == "difference" ? NormalKind::difference : NormalKind::gradient;
   scene.camera = {parse_vector(words.position, "--camera-position"),
                   parse_vector(words.target, "--camera-target"), parse_vector(words.up, "--camera-up"),
                   std::nullopt, std::nullopt};
@@ -114,12 +125,7 @@ std::vector<Layer> parse_layers(const Words& words, bool exr) {
   if (words.aov.empty()) return layers;
   if (!exr)
     throw InputError(fmt::format("--aov {}: layers need an .exr file, {} is none", words.aov, words.output));
-  for (const std::string& name : split(words.aov, ',')) {
-    layers.push_back(layer_from_name(name));
-    if (layers.back() == Layer::certificate)
-      throw InputError(
-          "--aov certificate: no method for volumes proves anything yet ('isocast methods' says which do)");
-  }
+  for (const std::string& name : split(words.aov, ',')) { layers.push_back(layer_from_name(name)); }
   return layers;
 }
 
@@ -142,12 +148,12 @@ void run(const Words& words) {
   if (!exr && extension != ".png")
     throw InputError(fmt::format("-o {}: expected a name that ends with .png or .exr", words.output));
   if (words.precision == "mixed")
-    throw InputError("--precision mixed: volumes are solved in float or double");
+    throw InputError("--precision mixed: volumes and formulas are solved in float or double");
   const auto [width, height] = parse_size(words.size);
   const std::vector<Layer> layers = parse_layers(words, exr);
   const std::vector<std::vector<double>> frames = parse_frames(words);
   SceneDescription description = describe(words);
-  description.volume.iso = frames.front();
+  description.object.iso = frames.front();
   const EvaluationSettings evaluation{isa_from_name(words.isa), words.precision == "double"};
   const int threads = words.threads > 0 ? words.threads : oneapi::tbb::info::default_concurrency();
   const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
@@ -157,11 +163,14 @@ void run(const Words& words) {
   if (!words.stats.empty() && words.stats != "-") { const OutputFile writable(words.stats); }
 
   BuiltScene built = build_scene(description, evaluation);
+  if (!built.proves && std::ranges::find(layers, Layer::certificate) != layers.end())
+    throw InputError(fmt::format(
+        "--aov certificate: the method {} proves nothing ('isocast methods' says which do)", built.method));
   const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
   RenderSettings settings;
   settings.spp = words.spp;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (i > 0) built.set_iso(frames[i], description.volume.colors);
+    if (i > 0) built.set_iso(frames[i], description.object.colors);
     Film film(width, height, layers);
     const Clock::time_point render_start = Clock::now();
     RenderCounts counts;
@@ -197,17 +206,27 @@ void run(const Words& words) {
 }  // namespace
 
 void add_render(CLI::App& app) {
-  CLI::App* verb =
-      app.add_subcommand("render", "Pictures of a volume's iso-surfaces: PNG, or EXR with layers");
+  CLI::App* verb = app.add_subcommand(
+      "render", "Pictures of iso-surfaces of a volume or a formula: PNG, or EXR with layers");
   const auto w = std::make_shared<Words>();
-  verb->add_option("INPUT", w->input, "A volume file")->required();
+  verb->add_option("INPUT", w->input,
+                   "A volume file, a formula of x y z w, a .vm tape, or @id of the catalogue")
+      ->required();
   verb->add_option("-o", w->output, "The picture: .png (sRGB) or .exr (linear, with layers)")->required();
-  verb->add_option("--iso", w->iso,
-                   "Iso-values V[,V...] in the file's units (default: the best of suggested_iso)");
+  verb->add_option(
+      "--iso", w->iso,
+      "Iso-values V[,V...] in the file's units (default: the best of suggested_iso; 0 for formulas)");
   verb->add_option("--iso-sweep", w->iso_sweep,
                    "FROM:TO:COUNT, a frame per value: OUT_0000.png, OUT_0001.png, ...");
   verb->add_option("--colors", w->colors, "A colour per iso-value: #rrggbb[,#rrggbb...]");
-  verb->add_option("--method", w->method, "auto (marmitt), or a name that 'isocast methods' lists");
+  verb->add_option("--param", w->params, "A parameter of the formula, such as a=2")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+  verb->add_option("--domain", w->domain,
+                   "Box of a formula: LO,HI or XLO,XHI,YLO,YHI,ZLO,ZHI (default: -1,1, or the catalogue's)");
+  verb->add_option("--time", w->time, "The variable w of a formula (default 0)");
+  verb->add_option("--method", w->method,
+                   "auto (marmitt for volumes, affine for formulas), or a name that 'isocast methods' lists");
   verb->add_option("--set", w->set, "An option of the method, KEY=VALUE")->allow_extra_args(false);
   verb->add_option("--size", w->size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
   verb->add_option("--spp", w->spp,

@@ -1,12 +1,12 @@
 // isocast sample: a formula, a catalogue surface or a test volume on a grid, into a volume file.
 #include <fmt/format.h>
+#include <isocast/apps/isocast/formula_input.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/base/error.h>
 #include <isocast/data_gen/test_volumes.h>
 #include <isocast/data_gen/volume_header.h>
 #include <isocast/data_gen/write_sparse.h>
-#include <isocast/implicit/expression/catalogue.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -43,11 +43,8 @@ Source find_source(const Request& request) {
     throw InputError("found --set without a test volume, expected --param for a formula");
   const Parameters parameters = parse_parameters(request.params, "--param");
   const double time = parse_number(request.time, "--time");
-  if (request.input.starts_with('@')) {
-    const CatalogueSurface& surface = require_surface(std::string_view(request.input).substr(1));
-    return {formula_field(surface_expression(surface, parameters), time), surface.domain};
-  }
-  return {formula_field(parse_expression(typed_formula(request.input), parameters), time), Domain{}};
+  const FormulaInput input = read_formula({request.input, parameters, {}});
+  return {formula_field(input.expression, time), input.domain};
 }
 
 WriteOptions write_options(const Request& request) {
@@ -126,7 +123,7 @@ void run(const Request& request) {
 }
 
 std::string input_help() {
-  std::string help = "A formula of x y z w, @id of the catalogue, or a test volume:";
+  std::string help = "A formula of x y z w, a .vm tape, @id of the catalogue, or a test volume:";
   for (const TestVolume& volume : test_volumes()) {
     help += fmt::format("\n{} ({}", volume.name, volume.meaning);
     for (const TestVolumeOption& option : volume.options)

@@ -20,7 +20,7 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
                 {"threads", r.threads},
                 {"method", r.built.method}};
   if (!r.built.method_reason.empty()) stats["method_reason"] = r.built.method_reason;
-  stats["iso"] = r.built.options.iso;
+  stats["iso"] = r.built.iso;
   stats["size"] = {r.width, r.height};
   stats["spp"] = r.spp;
   stats["features"] = features;
@@ -31,17 +31,15 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
                  {"write", r.write_ms},
                  {"total", r.total_ms}};
   stats["memory_mb"] = {{"peak", static_cast<double>(usage.ru_maxrss) * 1024 / kMega},
-                        {"volume", static_cast<double>(r.built.volume->bytes()) / kMega},
-                        {"acceleration", static_cast<double>(r.built.surface->acceleration_bytes()) / kMega}};
+                        {"volume", static_cast<double>(r.built.volume_bytes) / kMega},
+                        {"acceleration", static_cast<double>(r.built.acceleration_bytes) / kMega}};
   const std::int64_t rays = r.counts.primary + r.counts.shadow;
   stats["rays"] = {
       {"primary", r.counts.primary}, {"shadow", r.counts.shadow}, {"reflection", 0}, {"transparency", 0}};
   stats["mrays_per_s"] = static_cast<double>(rays) / (1000 * r.render_ms);
-  stats["counts"] = {{"cells", r.counts.trace.cells},
-                     {"macrocells", r.counts.trace.macrocells},
-                     {"solves", r.counts.trace.solves},
-                     {"tiles", r.counts.tiles},
-                     {"tiles_culled", r.counts.tiles_culled}};
+  stats["counts"] = {{"cells", r.counts.trace.cells},   {"macrocells", r.counts.trace.macrocells},
+                     {"solves", r.counts.trace.solves}, {"evaluations", r.counts.trace.evaluations},
+                     {"tiles", r.counts.tiles},         {"tiles_culled", r.counts.tiles_culled}};
   stats["hits"] = r.counts.hits;
   stats["misses"] = r.counts.misses;
   stats["undecided"] = r.counts.undecided;

@@ -1,6 +1,7 @@
 // What the user asked for, as plain data: nothing is loaded yet.
 #pragma once
 
+#include <isocast/implicit/implicit_surface.h>
 #include <isocast/render/camera.h>
 #include <isocast/scene/scene.h>
 #include <isocast/volume/io/read_volume.h>
@@ -9,15 +10,26 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace isocast {
 
-/// Iso-surfaces of a volume file. `iso` in the file's scaled units; empty: the best of suggested_iso.
-/// `colors` are repeated over the iso-values; empty: the default palette.
-struct VolumeDescription {
+struct VolumeSource {
   std::filesystem::path file;
   ReadOptions read;
+};
+struct FormulaSource {
+  Expression expression;
+  Domain domain;
+  double time = 0;
+};
+
+/// Iso-surfaces of a volume (`iso` in the file's scaled units; empty: the best of suggested_iso) or of a
+/// formula in a box (empty: 0). `colors` are repeated over the iso-values; empty: the default palette.
+/// `normals` are a volume's.
+struct ObjectDescription {
+  std::variant<VolumeSource, FormulaSource> source;
   std::vector<double> iso;
   std::vector<Color> colors;
   std::string method = "auto";
@@ -25,9 +37,9 @@ struct VolumeDescription {
   NormalKind normals = NormalKind::gradient;
 };
 
-/// A scene of one volume, its light, and what is fixed of its camera.
+/// A scene of one object, its light, and what is fixed of its camera.
 struct SceneDescription {
-  VolumeDescription volume;
+  ObjectDescription object;
   CameraWishes camera;
   std::optional<Double3> light;
   bool shadows = false;

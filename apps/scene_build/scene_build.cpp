@@ -23,11 +23,82 @@ std::vector<double> best_iso(const Volume& volume, const std::filesystem::path& 
   return {statistics.suggested_iso.front()};
 }
 
+using Clock = std::chrono::steady_clock;
+
+// What is used goes to the features, the rest to what was left out.
+void list(BuiltScene& built, bool used, const char* name) {
+  (used ? built.features : built.left_out).push_back(name);
+}
+
+void build(BuiltScene& built, const VolumeSource& source, const ObjectDescription& wanted,
+           const EvaluationSettings& settings) {
+  VolumeSurfaceOptions options;
+  options.method = choose_cell_method(wanted.method, wanted.settings);
+  options.double_precision = settings.double_precision;
+  options.isa = settings.isa;
+  options.normals = wanted.normals;
+  built.method = std::string(volume_methods()[static_cast<std::size_t>(options.method.method)].name);
+  if (wanted.method == "auto")
+    built.method_reason = "the first root of the exact cubic, isolated: right and fastest of those that are";
+
+  auto start = Clock::now();
+  const auto volume = std::make_shared<const Volume>(read_volume(source.file, source.read));
+  options.iso = wanted.iso.empty() ? best_iso(*volume, source.file) : wanted.iso;
+  built.load_ms = ms_since(start);
+
+  start = Clock::now();
+  const auto surface = std::make_shared<VolumeSurface>(volume, options);
+  built.build_ms = ms_since(start);
+  built.iso = options.iso;
+  built.volume_bytes = volume->bytes();
+  built.acceleration_bytes = static_cast<std::int64_t>(surface->acceleration_bytes());
+  built.scene.objects.push_back({surface, {}});
+  built.move_surface = [surface, options](const std::vector<double>& iso) mutable {
+    options.iso = iso;
+    surface->set_options(options);
+  };
+
+  built.features = {"volume", fmt::format("iso:{}", options.iso.size()),
+                    fmt::format("format:{}", volume->format)};
+  list(built, volume->tree != nullptr, "sparse tree");
+  list(built, volume->tree == nullptr, "macrocells");
+  list(built, volume->mapped, "memory mapping");
+  list(built, !volume->mapped, "copy of the samples");
+  list(built, wanted.iso.empty(), "statistics");
+  list(built, volume->format == "nifti", "module:nifti");
+  list(built, volume->format == "vdb", "process:openvdb");
+}
+
+void build(BuiltScene& built, const FormulaSource& source, const ObjectDescription& wanted,
+           const EvaluationSettings& settings) {
+  ImplicitSurfaceOptions options;
+  options.method = choose_formula_method(wanted.method, wanted.settings);
+  options.double_precision = settings.double_precision;
+  options.isa = settings.isa;
+  options.time = source.time;
+  if (!wanted.iso.empty()) options.iso = wanted.iso;
+  built.method = std::string(formula_methods()[static_cast<std::size_t>(options.method.method)].name);
+  if (wanted.method == "auto") built.method_reason = "forms that follow the ray keep what intervals forget";
+
+  const auto start = Clock::now();
+  const auto surface = std::make_shared<ImplicitSurface>(source.expression, source.domain, options);
+  built.build_ms = ms_since(start);
+  built.iso = options.iso;
+  built.proves = surface->proves();
+  built.scene.objects.push_back({surface, {}});
+  built.move_surface = [surface, options](const std::vector<double>& iso) mutable {
+    options.iso = iso;
+    surface->set_options(options);
+  };
+  built.features = {"formula", fmt::format("iso:{}", options.iso.size())};
+  built.left_out = {"volume", "acceleration structure", "statistics"};
+}
+
 }  // namespace
 
-void BuiltScene::set_iso(const std::vector<double>& iso, const std::vector<Color>& colors) {
-  options.iso = iso;
-  surface->set_options(options);
+void BuiltScene::set_iso(const std::vector<double>& values, const std::vector<Color>& colors) {
+  iso = values;
+  move_surface(iso);
   SceneObject& object = scene.objects.front();
   object.colors.clear();
   for (std::size_t i = 0; i < iso.size(); ++i)
@@ -36,41 +107,11 @@ void BuiltScene::set_iso(const std::vector<double>& iso, const std::vector<Color
 
 BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings) {
   BuiltScene built;
-  const VolumeDescription& wanted = description.volume;
-  built.options.method = choose_cell_method(wanted.method, wanted.settings);
-  built.options.double_precision = settings.double_precision;
-  built.options.isa = settings.isa;
-  built.options.normals = wanted.normals;
-  built.method = std::string(volume_methods()[static_cast<std::size_t>(built.options.method.method)].name);
-  if (wanted.method == "auto")
-    built.method_reason = "the first root of the exact cubic, isolated: right and fastest of those that are";
-
-  auto start = std::chrono::steady_clock::now();
-  built.volume = std::make_shared<const Volume>(read_volume(wanted.file, wanted.read));
-  const std::vector<double> iso = wanted.iso.empty() ? best_iso(*built.volume, wanted.file) : wanted.iso;
-  built.load_ms = ms_since(start);
-
-  start = std::chrono::steady_clock::now();
-  built.options.iso = iso;
-  built.surface = std::make_shared<VolumeSurface>(built.volume, built.options);
-  built.scene.objects.push_back({built.surface, {}});
-  built.set_iso(iso, wanted.colors);
+  const ObjectDescription& object = description.object;
+  std::visit([&](const auto& source) { build(built, source, object, settings); }, object.source);
+  built.set_iso(built.iso, object.colors);
   built.scene.light = description.light;
   built.scene.shadows = description.shadows;
-  built.build_ms = ms_since(start);
-
-  built.features = {"volume", fmt::format("iso:{}", iso.size()),
-                    fmt::format("format:{}", built.volume->format)};
-  const auto list = [&](bool used, const char* name) {
-    (used ? built.features : built.left_out).push_back(name);
-  };
-  list(built.volume->tree != nullptr, "sparse tree");
-  list(built.volume->tree == nullptr, "macrocells");
-  list(built.volume->mapped, "memory mapping");
-  list(!built.volume->mapped, "copy of the samples");
-  list(wanted.iso.empty(), "statistics");
-  list(built.volume->format == "nifti", "module:nifti");
-  list(built.volume->format == "vdb", "process:openvdb");
   return built;
 }
 

@@ -3,6 +3,7 @@
 
 #include <isocast/apps/scene_build/description.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,12 +19,13 @@ struct EvaluationSettings {
 /// A scene with what was learnt while it was built, for --stats.
 struct BuiltScene {
   Scene scene;
-  std::shared_ptr<const Volume> volume;
-  std::shared_ptr<VolumeSurface> surface;
-  VolumeSurfaceOptions options;
   std::string method, method_reason;  // method_reason only when the method was "auto"
   std::vector<std::string> features, left_out;
+  std::vector<double> iso;
   double load_ms = 0, build_ms = 0;
+  std::int64_t volume_bytes = 0, acceleration_bytes = 0;
+  bool proves = false;
+  std::function<void(const std::vector<double>& iso)> move_surface;
 
   /// Moves the surfaces to other iso-values (the file's scaled units); nothing is rebuilt.
   void set_iso(const std::vector<double>& iso, const std::vector<Color>& colors);

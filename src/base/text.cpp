@@ -10,4 +10,11 @@ std::string in_quotes(std::string_view text) {
   return "'" + shown + (text.size() > kLongest ? "...'" : "'");
 }
 
+void add_to_list(std::string& list, std::string_view item) {
+  constexpr std::size_t kLongest = 300;
+  if (list.ends_with("...")) return;
+  if (!list.empty()) list += ", ";
+  list += list.size() < kLongest ? item : "...";
+}
+
 }  // namespace isocast

@@ -44,11 +44,12 @@ inline std::uint32_t sides_behind(const HitStream& hits, int slot) {
 
 /// Work done, summed over rays.
 struct TraceCounts {
-  std::int64_t cells = 0, macrocells = 0, solves = 0;
+  std::int64_t cells = 0, macrocells = 0, solves = 0, evaluations = 0;
   TraceCounts& operator+=(const TraceCounts& other) {
     cells += other.cells;
     macrocells += other.macrocells;
     solves += other.solves;
+    evaluations += other.evaluations;
     return *this;
   }
 };

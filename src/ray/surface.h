@@ -29,6 +29,10 @@ class Surface {
   /// World-space bound of everything that can be hit.
   [[nodiscard]] virtual Box bounds() const = 0;
 
+  /// Whether hits and misses come with proofs. Then first_hit leaves the certificate of a ray that it proves
+  /// to miss as it was, and makes it undecided where it cannot.
+  [[nodiscard]] virtual bool proves() const { return false; }
+
   /// False when no primary ray of the tile can hit.
   [[nodiscard]] virtual bool narrow(const TileFrustum& tile) const { return tile.may_meet(bounds()); }
 

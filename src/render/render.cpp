@@ -5,6 +5,7 @@
 #include <oneapi/tbb/combinable.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -28,6 +29,7 @@ struct Frame {
   const RenderSettings& settings;
   const Features& features;
   std::vector<int> first_id;  // per object: ids of the objects before it
+  bool proves;                // every object does
 };
 
 bool is_hit(const HitStream& hits, int i) { return hits.t[i] < std::numeric_limits<double>::infinity(); }
@@ -99,18 +101,29 @@ void add_colors(const Frame& frame, TileBuffers& b, Film& film) {
   }
 }
 
+// 1 proved hit, 0 proved miss, 0.5 undecided, -1 no proof offered (interface.md).
+float layer_value(Certificate certificate) {
+  switch (certificate) {
+    case Certificate::proved_hit: return 1;
+    case Certificate::proved_miss: return 0;
+    case Certificate::undecided: return 0.5f;
+    default: return -1;
+  }
+}
+
 // The layers of the first sample, and its counts.
 void write_layers(const Frame& frame, const TileBuffers& b, Film& film, RenderCounts& counts) {
   for (int i = 0; i < b.rays.size; ++i) {
     if (!is_ray(b.rays, i)) continue;
     const std::uint32_t id = b.rays.id[i];
+    counts.undecided += b.hits.certificate[i] == Certificate::undecided;
+    if (film.has(Layer::certificate)) *film.at(Layer::certificate, id) = layer_value(b.hits.certificate[i]);
     if (film.has(Layer::cost)) *film.at(Layer::cost, id) = static_cast<float>(b.hits.cost[i]);
     if (!is_hit(b.hits, i)) {
       ++counts.misses;
       continue;
     }
     ++counts.hits;
-    counts.undecided += b.hits.certificate[i] == Certificate::undecided;
     const Double3 d = direction(b.rays, i);
     if (film.has(Layer::depth)) *film.at(Layer::depth, id) = static_cast<float>(b.hits.t[i] * length(d));
     if (film.has(Layer::z))
@@ -140,6 +153,7 @@ void render_tile(const Frame& frame, int tx, int ty, TileBuffers& b, Film& film,
     sample_offset(sample, u, v);
     frame.view.fill(tx, ty, u, v, b.rays);
     clear(b.hits);
+    if (frame.proves) std::ranges::fill(b.hits.certificate, Certificate::proved_miss);
     for (int i = 0; i < b.rays.size; ++i) counts.primary += is_ray(b.rays, i);
     for (const Surface* surface : candidates) surface->first_hit(b.rays, b.hits, counts.trace);
     const DressWishes& wishes = sample == 0 ? frame.features.first_sample : frame.features.other_samples;
@@ -174,7 +188,9 @@ std::int64_t tile_count(const View& view) {
 RenderCounts render(const Scene& scene, const View& view, const RenderSettings& settings, Film& film,
                     std::stop_token stop, Progress* progress) {
   const Features features = find_features(scene, film, settings);
-  Frame frame{scene, view, settings, features, {}};
+  const bool proves =
+      std::ranges::all_of(scene.objects, [](const SceneObject& o) { return o.surface->proves(); });
+  Frame frame{scene, view, settings, features, {}, proves};
   for (int ids = 0; const SceneObject& object : scene.objects) {
     frame.first_id.push_back(ids);
     ids += static_cast<int>(object.colors.size());

@@ -5,6 +5,8 @@
 #include <isocast/render/render.h>
 #include <temporary_folder.h>
 
+#include <algorithm>
+
 using namespace isocast;
 using test::says;
 using test::TemporaryFolder;
@@ -16,10 +18,10 @@ TEST_CASE("a volume file that shrinks before its picture is done is told") {
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<char>(4 * (i % 64));
   write_text_file(file, samples);
   SceneDescription description;
-  description.volume.file = file;
-  description.volume.iso = {128};
+  description.object.source = VolumeSource{file, {}};
+  description.object.iso = {128};
   const BuiltScene built = build_scene(description, {});
-  REQUIRE(built.volume->mapped);
+  REQUIRE(std::ranges::count(built.features, "memory mapping") == 1);
 
   const View view(frame(built.scene.bounds(), {}, 1), 64, 64);
   Film film(64, 64, {});

@@ -180,6 +180,8 @@ TEST_CASE("bad NRRD headers are told with their line", "[io][nrrd]") {
   CHECK_THAT(message("encoding", "data file: slice%03d.raw 1 9 1\nencoding"), Contains("several files"));
   CHECK_THAT(message("encoding", "data file: absent.raw\nencoding"),
              Contains("absent.raw") && Contains("No such file"));
+  CHECK_THAT(message("encoding", "data file: a\x1b[2Jb\nencoding"),
+             Contains("'a?[2Jb', expected a name without control characters"));
   CHECK_THAT(message("encoding", "spacings: " + std::string(5000, '1') + "\nencoding"),
              Contains("longer than 4096"));
   CHECK_THAT(message("encoding", "\x1b[2J\nencoding"), Contains("'?[2J'"));
@@ -212,4 +214,6 @@ TEST_CASE("compressed NRRD data that lies is told", "[io][nrrd]") {
   const std::string bomb = gzip(std::string(50 << 20, '\0'));
   CHECK(message("10 10 10", bomb).empty());
   CHECK_THAT(message("100000 100000 1000", bomb), Contains("at most 200 times as much"));
+  CHECK_THAT(message("10 10 10\nbyte skip: 9223372036854775807", bomb),
+             Contains("at most 200 times as much"));
 }

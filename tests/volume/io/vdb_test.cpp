@@ -147,7 +147,7 @@ TEST_CASE("grids of an OpenVDB file are chosen by name, or the first that can be
       return std::string();
     } catch (const InputError& error) { return std::string(error.what()); }
   };
-  CHECK_THAT(message("none"), Contains("no grid 'none'") && Contains("'density' (float)"));
+  CHECK_THAT(message("none"), Contains("no grid 'none'") && Contains("'density' ('float')"));
   CHECK_THAT(message("velocity"),
              Contains("'velocity'") && Contains("expected float, double, int32 or int64"));
   const auto bent = make_grid<openvdb::FloatGrid>("bent");

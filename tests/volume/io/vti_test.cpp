@@ -181,6 +181,10 @@ TEST_CASE("bad VTI elements and attributes are told", "[io][vti]") {
              Contains("XML is damaged") || Contains("no element ImageData"));
   CHECK_THAT(error_of(folder.write("a.vti", "  \n")), Contains("it is empty"));
   CHECK_THAT(error_of(folder.write("a.vti", good.substr(0, 200))), Contains("XML is damaged at byte"));
+  std::string many = "<VTKFile>";
+  while (many.size() < 4'100'000) many += "<a/>";
+  CHECK_THAT(error_of(folder.write("a.vti", many)),
+             Contains("elements and attributes, expected at most 1000000"));
   CHECK_THAT(message("<Piece Extent=\"0 2 0 1 0 3\"", "<Piece Extent=\"0 2 0 1 0\""),
              Contains("attribute Extent of Piece is '0 2 0 1 0', expected 6 numbers"));
   CHECK_THAT(message("<Piece Extent=\"0 2", "<Piece Extent=\"3 2"), Contains("from 3 to 2 on axis 0"));

@@ -1,0 +1,61 @@
+// The iso-surfaces of one formula, as the renderer sees them.
+#pragma once
+
+#include <isocast/implicit/expression/domain.h>
+#include <isocast/implicit/expression/tape.h>
+#include <isocast/implicit/methods.h>
+#include <isocast/implicit/solve/kernels.h>
+#include <isocast/isa/cpu.h>
+#include <isocast/ray/surface.h>
+
+#include <vector>
+
+namespace isocast {
+
+/// iso     1 to kMostIsos values
+/// time    the variable w
+/// object  number of the object in its scene
+struct ImplicitSurfaceOptions {
+  std::vector<double> iso = {0};
+  double time = 0;
+  FormulaMethodChoice method;
+  bool double_precision = false;
+  Isa isa = widest_isa();
+  std::uint16_t object = 0;
+};
+
+/// f(x, y, z, w = time) = iso inside a box. Grid-free: nothing is built but the tape; other options rebuild
+/// nothing.
+///
+/// proofs  of the parsed formula along the ray through the stored bits of o and d, clipped to the box: a
+///         proved hit has a root in [t_lo, t_hi] and none before, a proved miss none at all (design.md,
+///         decisions 2 and 3)
+class ImplicitSurface final : public Surface {
+ public:
+  /// Throws InputError for a box that is empty or not finite, and for options that cannot be used.
+  ImplicitSurface(const Expression& expression, const Domain& domain, const ImplicitSurfaceOptions& options);
+
+  void set_options(const ImplicitSurfaceOptions& options);
+
+  [[nodiscard]] Box bounds() const override { return bounds_; }
+  [[nodiscard]] bool proves() const override { return true; }
+  void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
+  void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
+  void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
+             DressedHits& dressed) const override;
+
+ private:
+  template <class T> [[nodiscard]] FormulaQuery<T> make_query() const;
+  template <class T>
+  void trace(const FormulaQuery<T>& query, bool next, const RayStream& rays, HitStream& hits,
+             TraceCounts& counts) const;
+
+  Tape tape_;
+  Box bounds_;
+  ImplicitSurfaceOptions options_;
+  FormulaQuery<float> float_query_ = {};
+  FormulaQuery<double> double_query_ = {};
+  double eps_ = 0;
+};
+
+}  // namespace isocast
