@@ -51,17 +51,28 @@ expect 2 "one of .nrrd .raw .nii .mha .vdb .nvdb" sample gyroid -o a.vol
 expect 2 "the nearest is f32" sample gyroid --type f16 -o a.mha
 expect 2 "the nearest is i32" sample gyroid --type u8 -o a.vdb
 expect 2 "only .vdb and .nvdb" sample gyroid --band 1 -o a.nrrd
-expect 2 "no grid 'density', only 'tangle' (float)" render tangle.vdb --grid density -o a.png
+expect 2 "no grid 'density', only 'tangle' ('float')" render tangle.vdb --grid density -o a.png
 expect 2 "no grid 'density', only 'tangle' (float)" render tangle.nvdb --grid density -o a.png
 expect 2 "need an .exr file" render tangle.nrrd -o a.png --aov depth
-expect 2 "proves anything" render tangle.nrrd -o a.exr --aov certificate
+expect 2 "the method marmitt proves nothing" render tangle.nrrd -o a.exr --aov certificate
 expect 2 "midpoint, linear, neubauer, schwarze, marmitt" render tangle.nrrd -o a.png --method newton
 expect 2 "no option 'eps'" render tangle.nrrd -o a.png --set eps=1
 expect 2 "no CUDA part" render tangle.nrrd -o a.png --isa cuda
 expect 2 "WIDTHxHEIGHT" render tangle.nrrd -o a.png --size 0x0
-expect 2 "-x^2+y^2" render -x^2+y^2 -o a.png
+expect 2 "formula:1:5" render "x^2+" -o a.png
+expect 2 "parameter" render @sphere --param none=1 -o a.png
+expect 2 "expected them for a formula" render tangle.nrrd --time 1 -o a.png
+expect 2 "interval, affine" render "x^2-1" --method marmitt -o a.png
 expect 2 "suite" bench everything -o bench
 [[ -e a.png || -e a.exr ]] && fail "a failed run left a picture"
+
+# formulas: the same picture for every number of threads and instruction set
+expect 0 '"undecided"' render @tangle --size 64x48 --aov certificate,depth -o tangle_formula.exr --stats -
+expect 0 "" render "-x^2-y^2/2-z^2+a" --param a=0.5 --iso 0,0.25 --size 64x48 --isa scalar --threads 1 -o formula.png
+for isa in sse4 avx2 avx512; do
+  "$program" render "-x^2-y^2/2-z^2+a" --param a=0.5 --iso 0,0.25 --size 64x48 --isa "$isa" --threads 2 -o again.png 2>err.txt || { grep -q "lacks it" err.txt && continue; }
+  cmp -s formula.png again.png || fail "another picture of a formula with $isa"
+done
 
 # dense or sparse, the same picture
 view=(--iso 0 --size 70x50 --camera-position 4,-6,3 --camera-target 0,0,0 --light 1,-1,2 --shadows)
