@@ -30,6 +30,18 @@ void list(BuiltScene& built, bool used, const char* name) {
   (used ? built.features : built.left_out).push_back(name);
 }
 
+// A surface made with these options, which its iso-values may change in later.
+template <class SurfaceKind, class Options>
+void add_object(BuiltScene& built, const std::shared_ptr<SurfaceKind>& surface, const Options& options) {
+  built.iso = options.iso;
+  built.proves = surface->proves();
+  built.scene.objects.push_back({surface, {}});
+  built.move_surface = [surface, changed = options](const std::vector<double>& iso) mutable {
+    changed.iso = iso;
+    surface->set_options(changed);
+  };
+}
+
 void build(BuiltScene& built, const VolumeSource& source, const ObjectDescription& wanted,
            const EvaluationSettings& settings) {
   VolumeSurfaceOptions options;
@@ -49,14 +61,9 @@ void build(BuiltScene& built, const VolumeSource& source, const ObjectDescriptio
   start = Clock::now();
   const auto surface = std::make_shared<VolumeSurface>(volume, options);
   built.build_ms = ms_since(start);
-  built.iso = options.iso;
   built.volume_bytes = volume->bytes();
   built.acceleration_bytes = static_cast<std::int64_t>(surface->acceleration_bytes());
-  built.scene.objects.push_back({surface, {}});
-  built.move_surface = [surface, options](const std::vector<double>& iso) mutable {
-    options.iso = iso;
-    surface->set_options(options);
-  };
+  add_object(built, surface, options);
 
   built.features = {"volume", fmt::format("iso:{}", options.iso.size()),
                     fmt::format("format:{}", volume->format)};
@@ -83,13 +90,7 @@ void build(BuiltScene& built, const FormulaSource& source, const ObjectDescripti
   const auto start = Clock::now();
   const auto surface = std::make_shared<ImplicitSurface>(source.expression, source.domain, options);
   built.build_ms = ms_since(start);
-  built.iso = options.iso;
-  built.proves = surface->proves();
-  built.scene.objects.push_back({surface, {}});
-  built.move_surface = [surface, options](const std::vector<double>& iso) mutable {
-    options.iso = iso;
-    surface->set_options(options);
-  };
+  add_object(built, surface, options);
   built.features = {"formula", fmt::format("iso:{}", options.iso.size())};
   built.left_out = {"volume", "acceleration structure", "statistics"};
 }
