@@ -28,10 +28,10 @@ void* registers_of(std::size_t bytes) {
   return memory.get();
 }
 
-// The numbers of a type at and beside an inclusion in doubles.
-template <class T> void enclose(const Interval<double>& x, T& lo, T& hi) {
-  lo = enclosed<T>(x.lo, true).lo;
-  hi = enclosed<T>(x.hi, true).hi;
+// The number nearest to the middle of x, and the half width of what lies between it and x's ends.
+template <class T> void enclose(const Interval<double>& x, T& middle, double& radius) {
+  middle = static_cast<T>(0.5 * x.lo + 0.5 * x.hi);
+  radius = std::max(x.hi - static_cast<double>(middle), static_cast<double>(middle) - x.lo);
 }
 
 // A ray clipped to the box: p(t) for t in [near, far].
@@ -58,6 +58,61 @@ ClippedRay clip(const RayStream& rays, int i, const Box& box) {
   return ray;
 }
 
+// Segment i of the stream from a clipped ray; parts below eps, a world length, need not be divided.
+template <class T> void set_segment(SegmentStream<T>& segments, int i, const ClippedRay& ray, double eps) {
+  double squared = 0;
+  for (int a = 0; a < 3; ++a) {
+    const Interval<double> o(ray.o[a]), d(ray.d[a]), near(ray.near), far(ray.far), start = o + near * d,
+                                                                                   span = (far - near) * d;
+    T& e_T = segments.e[a][i];
+    T& d_T = segments.d[a][i];
+    double e_radius = 0, d_radius = 0;
+    enclose(start, e_T, e_radius);
+    enclose(span, d_T, d_radius);
+    // what RayPart rounds: at most eight times the unit roundoff of |e| + |d|
+    const double size = std::abs(static_cast<double>(e_T)) + std::abs(static_cast<double>(d_T));
+    const double slack = e_radius + d_radius + 5.0 * kSpacing<T> * size + 4.0 * kSmallest<T>;
+    segments.slack[a][i] = std::nextafter(static_cast<T>(slack), kInfinity<T>);
+    if (!(size <= kLargest<T>)) e_T = d_T = 0, segments.slack[a][i] = kInfinity<T>;
+    const double longest = std::max(std::abs(span.lo), std::abs(span.hi));
+    squared += longest * longest;
+  }
+  segments.smallest[i] = static_cast<T>(std::min(1.0, eps / std::sqrt(squared)));
+  segments.k_offset[i] = 0;
+  segments.k_scale[i] = 1;
+}
+
+// Sets one path for all rays of a packet along the axis that they follow most: false where one of them does
+// not.
+template <class T> bool march_together(SegmentStream<T>& segments, int first) {
+  const int last = std::min(first + kPacketSize, segments.size);
+  double sum[3] = {};
+  for (int a = 0; a < 3; ++a)
+    for (int i = first; i < last; ++i) sum[a] += segments.active[i] ? double(segments.d[a][i]) : 0;
+  int axis = 0;
+  for (int a = 1; a < 3; ++a)
+    if (std::abs(sum[a]) > std::abs(sum[axis])) axis = a;
+  const double sign = sum[axis] < 0 ? -1 : 1;
+  double from = std::numeric_limits<double>::infinity(), to = -from;
+  for (int i = first; i < last; ++i) {
+    if (!segments.active[i]) continue;
+    const double e = sign * segments.e[axis][i], d = sign * segments.d[axis][i];
+    if (!(d > 0)) return false;
+    from = std::min(from, e), to = std::max(to, e + d);
+  }
+  constexpr double kMostStretched = 1024;
+  for (int i = first; i < last; ++i)
+    if (segments.active[i] && !(to - from <= kMostStretched * sign * segments.d[axis][i])) return false;
+  for (int i = first; i < last; ++i) {
+    if (!segments.active[i]) continue;
+    const double e = sign * segments.e[axis][i], d = sign * segments.d[axis][i];
+    segments.k_offset[i] = static_cast<T>((from - e) / d);
+    // a little further, so that rounding does not end the path early
+    segments.k_scale[i] = static_cast<T>((to - from) / d * (1 + 4 * kSpacing<T>));
+  }
+  return true;
+}
+
 }  // namespace
 
 ImplicitSurface::ImplicitSurface(const Expression& expression, const Domain& domain,
@@ -78,8 +133,10 @@ template <class T> FormulaQuery<T> ImplicitSurface::make_query() const {
   FormulaQuery<T> query = {};
   query.tape = tape_.view();
   query.iso_count = static_cast<int>(options_.iso.size());
-  for (std::size_t i = 0; i < options_.iso.size(); ++i)
-    enclose(Interval<double>(options_.iso[i]), query.iso_lo[i], query.iso_hi[i]);
+  for (std::size_t i = 0; i < options_.iso.size(); ++i) {
+    const Interval<T> iso = enclosed<T>(options_.iso[i], true);
+    query.iso_lo[i] = iso.lo, query.iso_hi[i] = iso.hi;
+  }
   query.time = options_.time;
   query.options = options_.method.options;
   return query;
@@ -102,66 +159,54 @@ void ImplicitSurface::set_options(const ImplicitSurfaceOptions& options) {
 template <class T>
 void ImplicitSurface::trace(const FormulaQuery<T>& query, bool next, const RayStream& rays, HitStream& hits,
                             TraceCounts& counts) const {
-  const FormulaKernels& kernels = formula_kernels(options_.isa);
-  void* const registers = registers_of(tape_.registers * kernels.register_bytes);
-  const auto method = static_cast<std::size_t>(options_.method.method);
-  for (int first = 0; first < rays.size; first += kSegments) {
-    SegmentPacket<T> packet = {};
-    ClippedRay clipped[kSegments];
-    for (int l = 0; l < kSegments && first + l < rays.size; ++l) {
-      const int i = first + l;
-      const bool has_hit =
-          hits.object[i] == options_.object && hits.t[i] < std::numeric_limits<double>::infinity();
-      if (next && !has_hit) continue;
-      const ClippedRay ray = clipped[l] = clip(rays, i, bounds_);
-      const bool carried = next || rays.start_object[i] == options_.object;
-      packet.sides[l] = next ? sides_behind(hits, i) : rays.start_sides[i];
-      packet.begin[l] = next ? static_cast<T>(hits.s_hi[i]) : T(0);
-      if (next) hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = std::numeric_limits<double>::infinity();
-      if (ray.misses()) continue;
-      packet.active |= 1u << l;
-      packet.carried |= static_cast<std::uint32_t>(carried) << l;
-      double squared = 0;
-      for (int a = 0; a < 3; ++a) {
-        const Interval<double> o(ray.o[a]), d(ray.d[a]), near(ray.near), far(ray.far),
-            e = o + near * d, span = (far - near) * d;
-        enclose(e, packet.e_lo[a][l], packet.e_hi[a][l]);
-        enclose(span, packet.d_lo[a][l], packet.d_hi[a][l]);
-        const double longest = std::max(std::abs(span.lo), std::abs(span.hi));
-        squared += longest * longest;
-      }
-      packet.smallest[l] = static_cast<T>(std::min(1.0, eps_ / std::sqrt(squared)));
+  SegmentStream<T> segments;
+  ClippedRay clipped[kStreamSize];
+  segments.size = rays.size;
+  bool any_active = false;
+  for (int i = 0; i < rays.size; ++i) {
+    const bool has_hit =
+        hits.object[i] == options_.object && hits.t[i] < std::numeric_limits<double>::infinity();
+    const ClippedRay ray = clipped[i] = clip(rays, i, bounds_);
+    const bool active = segments.active[i] = !ray.misses() && (has_hit || !next);
+    any_active = any_active || active;
+    if (active) {
+      segments.begin[i] = next ? static_cast<T>(hits.s_hi[i]) : T(0);
+      segments.carried[i] = next || rays.start_object[i] == options_.object;
+      segments.sides[i] = next ? sides_behind(hits, i) : rays.start_sides[i];
+      set_segment(segments, i, ray, eps_);
     }
-    if (packet.active == 0) continue;
-    SegmentRoots<T> roots;
-    if constexpr (sizeof(T) == 4) kernels.solve_float[method](query, packet, roots, registers);
-    else kernels.solve_double[method](query, packet, roots, registers);
+    if (next && has_hit) hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = std::numeric_limits<double>::infinity();
+  }
+  if (!any_active) return;
+  for (int first = 0; first < rays.size; first += kPacketSize)
+    segments.together[first / kPacketSize] = query.options.packets && march_together(segments, first);
 
-    for (std::uint32_t rest = packet.active; rest; rest &= rest - 1) {
-      const int l = __builtin_ctz(rest), i = first + l;
-      const bool hit = roots.hit >> l & 1, proved = roots.proved >> l & 1;
-      hits.cost[i] += roots.evaluations[l];
-      counts.evaluations += roots.evaluations[l];
-      if (!hit) {
-        if (!proved) hits.certificate[i] = Certificate::undecided;
-        continue;
-      }
-      const ClippedRay& ray = clipped[l];
-      const auto t_at = [&](T s) { return ray.near + static_cast<double>(s) * (ray.far - ray.near); };
-      const double t = t_at(roots.s[l]);
-      if (!(t < hits.t[i])) continue;
-      hits.t[i] = t;
-      // what the roundings of t_at can make
-      const double slack = 0x1p-51 * std::max(std::abs(ray.near), std::abs(ray.far));
-      hits.t_lo[i] = t_at(roots.s_lo[l]) - slack;
-      hits.t_hi[i] = t_at(roots.s_hi[l]) + slack;
-      hits.s[i] = static_cast<double>(roots.s[l]);
-      hits.s_hi[i] = static_cast<double>(roots.s_hi[l]);
-      hits.iso[i] = roots.iso[l];
-      hits.object[i] = options_.object;
-      hits.sides[i] = roots.sides[l];
-      hits.certificate[i] = proved ? Certificate::proved_hit : Certificate::undecided;
+  const FormulaSolver<T>& solver = formula_kernels(options_.isa).solver<T>(options_.method.method);
+  SegmentRoots<T> roots;
+  solver.solve(query, segments, roots, registers_of(tape_.registers * solver.register_bytes));
+  for (int i = 0; i < rays.size; ++i) {
+    if (!segments.active[i]) continue;
+    hits.cost[i] += roots.evaluations[i];
+    counts.evaluations += roots.evaluations[i];
+    if (!roots.hit[i]) {
+      if (!roots.proved[i]) hits.certificate[i] = Certificate::undecided;
+      continue;
     }
+    const ClippedRay& ray = clipped[i];
+    const auto t_at = [&](T s) { return ray.near + static_cast<double>(s) * (ray.far - ray.near); };
+    const double t = t_at(roots.s[i]);
+    if (!(t < hits.t[i])) continue;
+    hits.t[i] = t;
+    // what the roundings of t_at can make
+    const double slack = 0x1p-51 * std::max(std::abs(ray.near), std::abs(ray.far));
+    hits.t_lo[i] = t_at(roots.s_lo[i]) - slack;
+    hits.t_hi[i] = t_at(roots.s_hi[i]) + slack;
+    hits.s[i] = static_cast<double>(roots.s[i]);
+    hits.s_hi[i] = static_cast<double>(roots.s_hi[i]);
+    hits.iso[i] = roots.iso[i];
+    hits.object[i] = options_.object;
+    hits.sides[i] = roots.sides[i];
+    hits.certificate[i] = roots.proved[i] ? Certificate::proved_hit : Certificate::undecided;
   }
 }
 

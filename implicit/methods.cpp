@@ -5,8 +5,7 @@ namespace {
 
 constexpr const char* kKnoll =
     "Knoll, Hijazi, Kensler, Schott, Hansen, Hagen: Fast ray tracing of arbitrary implicit surfaces with "
-    "interval "
-    "and affine arithmetic, Computer Graphics Forum 28(1), 2009";
+    "interval and affine arithmetic, Computer Graphics Forum 28(1), 2009";
 
 constexpr MethodOption kEps = {
     "eps", 0, 0, 1e300, false, "world length", "parts of a ray below it are judged; 0: eps-rel decides"};
@@ -15,8 +14,18 @@ constexpr MethodOption kEpsRel = {
 constexpr MethodOption kTrim = {
     "trim", 1, 0, 1, true, "", "1: what a form proves empty of a part is left out before it is divided"};
 
-constexpr MethodOption kInterval[] = {kEps, kEpsRel};
-constexpr MethodOption kAffine[] = {kEps, kEpsRel, kTrim};
+constexpr MethodOption kBisection = {
+    "bisection",
+    0,
+    0,
+    1,
+    true,
+    "",
+    "t: each ray for itself; k: 16 rays are divided together, along the axis that they follow most",
+    "t k"};
+
+constexpr MethodOption kInterval[] = {kEps, kEpsRel, kBisection};
+constexpr MethodOption kAffine[] = {kEps, kEpsRel, kBisection, kTrim};
 constexpr Method kMethods[kFormulaMethodCount] = {
     {"interval", "formula", "both", "library", "float double", kInterval, kKnoll},
     {"affine", "formula", "both", "library", "float double", kAffine, kKnoll},
@@ -34,6 +43,7 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   choice.method = static_cast<FormulaMethod>(&method - kMethods);
   choice.eps = values.at("eps");
   choice.eps_rel = values.at("eps-rel");
+  choice.options.packets = values.at("bisection") == 1;
   if (const auto trim = values.find("trim"); trim != values.end()) choice.options.trim = trim->second != 0;
   return choice;
 }

@@ -1,7 +1,7 @@
 // The rows of the method table for formulas.
 #pragma once
 
-#include <isocast/implicit/solve/segment.h>
+#include <isocast/implicit/solve/kernels.h>
 #include <isocast/ray/method.h>
 
 #include <map>

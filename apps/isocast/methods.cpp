@@ -1,5 +1,6 @@
 // isocast methods: every method, what it applies to and proves, its options and defaults.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/implicit/methods.h>
 #include <isocast/volume/methods.h>
@@ -19,12 +20,18 @@ nlohmann::ordered_json to_json(const Method& method) {
                                  {"arithmetic", method.arithmetic},
                                  {"precisions", method.precisions}};
   json["options"] = nlohmann::ordered_json::array();
-  for (const MethodOption& option : method.options)
-    json["options"].push_back({{"name", option.name},
-                               {"default", option.default_value},
-                               {"range", {option.lo, option.hi}},
-                               {"unit", option.unit},
-                               {"meaning", option.meaning}});
+  for (const MethodOption& option : method.options) {
+    nlohmann::ordered_json entry = {{"name", option.name}, {"default", option.default_value}};
+    entry["range"] = {option.lo, option.hi};
+    if (!option.choices.empty()) {
+      const auto words = words_of(option.choices);
+      entry["default"] = words[static_cast<std::size_t>(option.default_value)];
+      entry["range"] = words;
+    }
+    entry["unit"] = option.unit;
+    entry["meaning"] = option.meaning;
+    json["options"].push_back(entry);
+  }
   json["source"] = method.source;
   return json;
 }
@@ -32,9 +39,17 @@ nlohmann::ordered_json to_json(const Method& method) {
 void print(const Method& method) {
   fmt::print("{}: for a {}, proves {}, {} arithmetic, {}\n  {}\n", method.name, method.applies_to,
              method.proves, method.arithmetic, method.precisions, method.source);
-  for (const MethodOption& option : method.options)
+  for (const MethodOption& option : method.options) {
+    if (!option.choices.empty()) {
+      const auto words = words_of(option.choices);
+      fmt::print("  --set {}={}  ({})  {}\n", option.name,
+                 words[static_cast<std::size_t>(option.default_value)], fmt::join(words, ", "),
+                 option.meaning);
+      continue;
+    }
     fmt::print("  --set {}={}  ({} to {}{}{})  {}\n", option.name, option.default_value, option.lo, option.hi,
                option.unit.empty() ? "" : " ", option.unit, option.meaning);
+  }
 }
 
 std::vector<Method> all_methods() {

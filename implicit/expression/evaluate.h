@@ -57,27 +57,50 @@ template <class Run> inline void run_tape(const TapeView& tape, Run run) {
   }
 }
 
-/// One R at a time.
-template <class R> struct RunOne {
+/// `count` <= kStride of R at a time: an operation on all before the next one.
+template <class R, int kStride> struct RunSome {
   const TapeConstant* constants;
   const R* inputs;
   R* registers;
-  void constant(const Instruction& i) { registers[i.out] = constant_as(constants[i.a], R{}); }
-  void variable(const Instruction& i) { registers[i.out] = inputs[i.a]; }
-  template <class F> void unary(const Instruction& i, F f) { registers[i.out] = f(registers[i.a]); }
+  int count;
+  template <class F> void each(const Instruction& i, F f) {
+    R* const out = registers + std::size_t{i.out} * kStride;
+    for (int k = 0; k < count; ++k) out[k] = f(k);
+  }
+  const R* at(std::uint32_t index) const { return registers + std::size_t{index} * kStride; }
+  void constant(const Instruction& i) {
+    each(i, [value = constant_as(constants[i.a], R{})](int) { return value; });
+  }
+  void variable(const Instruction& i) {
+    each(i, [in = inputs + i.a * kStride](int k) { return in[k]; });
+  }
+  template <class F> void unary(const Instruction& i, F f) {
+    each(i, [f, a = at(i.a)](int k) { return f(a[k]); });
+  }
   template <class F> void binary(const Instruction& i, F f) {
-    registers[i.out] = f(registers[i.a], registers[i.b]);
+    each(i, [f, a = at(i.a), b = at(i.b)](int k) { return f(a[k], b[k]); });
   }
   template <class F> void ternary(const Instruction& i, F f) {
-    registers[i.out] = f(registers[i.a], registers[i.b], registers[i.c]);
+    each(i, [f, a = at(i.a), b = at(i.b), c = at(i.c)](int k) { return f(a[k], b[k], c[k]); });
   }
-  template <class F> void whole(const Instruction& i, F f) { registers[i.out] = f(registers[i.a], i.n); }
+  template <class F> void whole(const Instruction& i, F f) {
+    each(i, [f, n = i.n, a = at(i.a)](int k) { return f(a[k], n); });
+  }
 };
+
+/// f at `count` <= kStride points, inclusions or lanes of them: inputs[v * kStride + k] is variable v (0..3
+/// for x y z w) of the k-th. `registers` has room for Tape::registers * kStride; the values are `count` of
+/// them from the returned one.
+template <int kStride, class R>
+inline const R* evaluate_some(const TapeView& tape, const R* inputs, R* registers, int count) {
+  RunSome<R, kStride> run{tape.constants, inputs, registers, count};
+  run_tape(tape, run);
+  return run.at(tape.result);
+}
 
 /// f at inputs[0..3] = x, y, z, w. `registers` has room for Tape::registers and is left with garbage.
 template <class R> inline R evaluate(const TapeView& tape, const R* inputs, R* registers) {
-  run_tape(tape, RunOne<R>{tape.constants, inputs, registers});
-  return registers[tape.result];
+  return *evaluate_some<1>(tape, inputs, registers, 1);
 }
 
 /// Points that a block holds; a register of a block is so many numbers.

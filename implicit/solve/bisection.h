@@ -1,167 +1,318 @@
-// The first root along a segment by bisection: parts whose inclusion leaves out every iso-value hold none.
+// The first root along each ray of a stream by bisection: parts whose inclusion leaves out every iso-value
+// hold none.
 #pragma once
 
-#include <isocast/implicit/solve/lanes.h>
+#include <isocast/implicit/solve/slots.h>
+#include <isocast/implicit/solve/verdict.h>
 
 namespace isocast::inline ISO_ISA {
 
-/// Parts of this length, in s, are not divided: below, their ends are hardly apart in the arithmetic.
-template <class T> inline constexpr T kLeast = T(0);
-template <> inline constexpr float kLeast<float> = 0x1p-21f;
-template <> inline constexpr double kLeast<double> = 0x1p-44;
-
-/// Small parts of a segment that are looked at before none is divided any more: bounds the work where f hugs an
+/// Small parts of a ray that are looked at before none is divided any more: bounds the work where f hugs an
 /// iso-value or is unbounded all along a ray.
 inline constexpr int kMostJudged = 1024;
 
-/// A root, lane by lane, as in SegmentRoots.
-template <Real R> struct SegmentRoot {
-  R lo, hi, iso;
-  Mask<R> hit, crossing, doubt, monotone, below;
-};
-
-/// What a part that may hold a root turned out to be.
-///
-/// accepted  a root is reported: one crossing in a part where f is monotone, or the part cannot be divided
-/// empty     f is monotone and has the same side of every iso-value at both ends; or nothing can be said of
-///           the part, which touches a start on the surface or where f is unbounded: that is `doubt`
-template <Real R> struct PartVerdict {
-  Mask<R> accepted, empty, doubt, crossing, monotone, below;
-  R iso;
-};
-template <Real R>
-ISO_HD inline PartVerdict<R> judge(SegmentLanes<R>& lanes, const Interval<R>& f, R lo, R hi, Mask<R> last) {
-  using T = Scalar<R>;
-  const Interval<R> fa = lanes.at(lo), fb = lanes.at(hi);
-  PartVerdict<R> v;
-  v.crossing = v.below = Mask<R>(false);
-  v.iso = R(0);
-  Mask<R> several = v.crossing, same = Mask<R>(true);
-  for (int i = lanes.iso_count() - 1; i >= 0; --i) {
-    const Sides<R> a = lanes.sides_at(lo, fa, i), b = lanes.sides_at(hi, fb, i);
-    const Mask<R> crosses = ((a.below & b.above) | (a.above & b.below)) & f.continuous;
-    several = several | (v.crossing & crosses);
-    v.crossing = v.crossing | crosses;
-    v.iso = select(crosses, R(T(i)), v.iso);
-    v.below = select(crosses, a.below, v.below);
-    same = same & ((a.below & b.below) | (a.above & b.above));
-    // without any crossing, the iso-value that f holds
-    const Sides<R> whole = lanes.sides(f, i);
-    v.iso = select(v.crossing | whole.below | whole.above, v.iso, R(T(i)));
-  }
-  const Interval<R> slope = lanes.slope(lo, hi);
-  v.monotone = slope.defined & f.continuous & ((slope.lo > R(0)) | (slope.hi < R(0)));
-  v.empty = v.monotone & same;
-  const Mask<R> finite = (f.lo > R(-kLargest<T>)) & (f.hi < R(kLargest<T>));
-  v.doubt = last & (!(v.crossing | v.empty)) & (lanes.at_known_start(lo) | (!finite));
-  v.empty = v.empty | v.doubt;
-  v.accepted = (!v.empty) & ((v.crossing & v.monotone & (!several)) | last);
-  return v;
-}
-
-/// Brings the bracket of crossings where f is monotone to the end of the arithmetic, as far as the signs of f
-/// can be proved.
-template <Real R> ISO_HD inline void refine(SegmentLanes<R>& lanes, SegmentRoot<R>& root, Mask<R> active) {
-  using T = Scalar<R>;
-  while (any(active)) {
-    const R middle = R(0.5) * root.lo + R(0.5) * root.hi;
-    active = active & (middle > root.lo) & (middle < root.hi) & (root.hi - root.lo > R(kLeast<T>));
-    if (!any(active)) break;
-    lanes.count(active, 1);
-    const Interval<R> f = lanes.at(middle);
-    Mask<R> near = Mask<R>(false), far = near;
-    for (int i = 0; i < lanes.iso_count(); ++i) {
-      const Sides<R> side = lanes.sides(f, i);
-      const Mask<R> mine = root.iso == R(T(i));
-      near = near | (mine & select(root.below, side.below, side.above));
-      far = far | (mine & select(root.below, side.above, side.below));
-    }
-    root.lo = select(active & near, middle, root.lo);
-    root.hi = select(active & far, middle, root.hi);
-    active = active & (near | far);
-  }
-}
-
-/// The part of [lo, hi] where c + e E +- r may be an iso-value: what is left of E in [-1, 1].
-template <Real R>
-ISO_HD inline void trim(const SegmentLanes<R>& lanes, const AffineForm<R, 1>& f, R& lo, R& hi) {
-  using T = Scalar<R>;
-  R first = R(1), last = R(-1);
-  for (int i = 0; i < lanes.iso_count(); ++i) {
-    const Interval<R> level = lanes.iso(i) - Interval<R>(f.c - f.r, f.c + f.r);
-    const Interval<R> e = level / Interval<R>(f.e[0]);
-    first = min(first, e.lo);
-    last = max(last, e.hi);
-  }
-  // roundings of r and of the steps below, for s <= 1; an unknown form keeps everything
-  const R slack = R(Scalar<R>(16) * kSpacing<T>);
-  const Mask<R> known = (f.r <= R(kLargest<T>)) & (f.e[0] != R(0));
-  first = select(known, max(first - slack * (abs(first) + R(1)), R(-1)), R(-1));
-  last = select(known, min(last + slack * (abs(last) + R(1)), R(1)), R(1));
-  const R half = R(0.5) * (hi - lo), middle = lo + half, near = middle + first * half,
-          far = middle + last * half;
-  lo = max(lo, near - R(Scalar<R>(4) * kSpacing<T>));
-  hi = min(hi, far + R(Scalar<R>(4) * kSpacing<T>));
-}
-template <Real R> ISO_HD inline void trim(const SegmentLanes<R>&, const Interval<R>&, R&, R&) {}
-
-/// The first root of the lanes in `active`.
+/// Bisection of many rays, each as if it were alone (or with the others of its packet, where they march
+/// together).
 ///
 /// F       Interval<R> or AffineForm<R, 1>
-/// walk    without a stack: a part is [s, s + w], w a power of two and s a multiple of it, near half first
-/// proved  a hit, if f is continuous in its part and changes sign; a miss; both unless `doubt`
+/// parts   a part of a ray is rejected if its inclusion leaves out every iso-value; it is accepted where the
+///         form proves a crossing in what trimming leaves of it, or where f is monotone and has different
+///         sides at its ends, and that is no longer than `smallest`; else it is divided, near half first
+/// walk    without a stack: along a path of halves from k to k + w, w a power of two and k a multiple of it;
+///         a form that trims goes where its trimming leads, with a length that doubles after each rejection
+/// proved  a hit, if f is continuous in its part and changes sign; a miss; both unless there was doubt
 /// source  Knoll, Hijazi, Kensler, Schott, Hansen, Hagen: Fast ray tracing of arbitrary implicit surfaces
-/// with
-///         interval and affine arithmetic, Computer Graphics Forum 28(1), 2009; the judgement of small parts
-///         after Mitchell: Robust ray intersection with interval arithmetic, Graphics Interface 1990
-template <class F, Real R>
-ISO_HD inline SegmentRoot<R> first_root(SegmentLanes<R>& lanes, R smallest, Mask<R> active) {
+///         with interval and affine arithmetic, Computer Graphics Forum 28(1), 2009; the judgement of small
+///         parts after Mitchell: Robust ray intersection with interval arithmetic, Graphics Interface 1990,
+///         and the interval form of Newton's method
+template <class F, Real R> class Bisection {
   using T = Scalar<R>;
-  SegmentRoot<R> root;
-  root.hit = root.crossing = root.doubt = root.monotone = root.below = Mask<R>(false);
-  root.lo = root.hi = root.iso = R(0);
-  smallest = max(smallest, R(kLeast<T>));
-  // [.., begin) is proved empty; so is the rest of the part that ends at `cut_end` from `cut` on
-  R s = R(0), w = R(1), begin = lanes.begin, cut = R(1), cut_end = R(1), judged = R(0);
-  for (Mask<R> busy = active; any(busy);) {
-    R lo = max(s, begin), hi = select(s < cut_end, min(s + w, cut), s + w);
-    const Mask<R> nothing = lo >= hi;
-    hi = max(lo, hi);
-    const F f = lanes.template over<F>(lo, hi);
-    lanes.count(busy & (!nothing), 1);
+  using G = Gradient<Interval<R>>;
+  static constexpr int kPacks = Slots<R>::kPacks;
+
+ public:
+  /// Bytes for each register of the tape.
+  static constexpr std::size_t kRegisterBytes = kPacks * (sizeof(G) > sizeof(F) ? sizeof(G) : sizeof(F));
+
+  ISO_HD Bisection(const FormulaQuery<T>& query, const SegmentStream<T>& stream, SegmentRoots<T>& roots,
+                   void* registers)
+      : query_(query), stream_(stream), roots_(roots), registers_(registers), isos_(query.iso_count) {}
+
+  /// Fills the roots of all active rays.
+  ISO_HD void run() {
+    run_those_that_march(false);
+    run_those_that_march(true);
+  }
+
+ private:
+  /// Whether a form's trimming leads the way.
+  ISO_HD bool free() const { return query_.options.trim && kTrims<F> && !together_; }
+  ISO_HD R get(Field field, int p) const { return slots_.get(field, p); }
+
+  ISO_HD void run_those_that_march(bool together) {
+    together_ = together;
+    next_ = 0;
+    for (refill(); slots_.busy != 0; refill()) round();
+  }
+  // Starts the next ray of the stream, or packet of rays, and tells whether it was one to start.
+  ISO_HD bool start(int slot, int rays) {
+    bool started = false;
+    for (int l = 0; l < rays && next_ + l < stream_.size; ++l) {
+      const int i = next_ + l;
+      if (!stream_.active[i] || stream_.together[i / kPacketSize] != together_) continue;
+      slots_.start(stream_, i, slot + l, isos_);
+      roots_.hit[i] = false;
+      roots_.proved[i] = started = true;
+    }
+    next_ += rays;
+    return started;
+  }
+  // Puts rays into free slots: singly, or whole packets.
+  ISO_HD void refill() {
+    const int rays = together_ ? kPacketSize : 1;
+    const SlotBits all = (SlotBits(1) << rays) - 1;
+    for (int slot = 0; slot < kSlots && next_ < stream_.size; slot += rays)
+      while (!(slots_.busy >> slot & all) && next_ < stream_.size) start(slot, rays);
+    if (!together_) slots_.close_ranks(isos_);
+  }
+
+  // One evaluation for every ray in work.
+  ISO_HD void round() {
+    int packs[kPacks], count = 0;
+    for (int p = 0; p < kPacks; ++p)
+      if (any(lanes_of<R>(slots_.busy, p))) packs[count++] = p;
+    Part<R> parts[kPacks];
+    for (int n = 0; n < count; ++n) propose(packs[n], parts[n]);
+    const F* const f = evaluate_over<F>(packs, parts, count,
+                                        [](const Part<R>& part) { return RayPart<R>(part.lo, part.hi); });
+    int small[kPacks], small_count = 0;
+    Part<R> small_parts[kPacks];
+    for (int n = 0; n < count; ++n) {
+      classify(packs[n], f[n], parts[n]);
+      if (!any(parts[n].small)) continue;
+      small[small_count] = packs[n];
+      small_parts[small_count++] = parts[n];
+    }
+    if (small_count > 0) judge(small, small_parts, small_count);
+    for (int n = 0, m = 0; n < count; ++n) {
+      if (m < small_count && small[m] == packs[n]) parts[n] = small_parts[m++];
+      if (any(parts[n].accepted)) report(packs[n], parts[n]);
+    }
+    advance(packs, parts, count);
+  }
+
+  // The tape over a part of a ray for each of `count` packs.
+  template <class Kind, class PartOf>
+  ISO_HD const Kind* evaluate_over(const int* packs, const Part<R>* parts, int count, PartOf part_of) {
+    Kind inputs[4 * kPacks];
+    for (int n = 0; n < count; ++n) {
+      const RayPart<R> part = part_of(parts[n]);
+      for (int a = 0; a < 3; ++a)
+        part.coordinate(get(Field(kEx + a), packs[n]), get(Field(kDx + a), packs[n]),
+                        get(Field(kWx + a), packs[n]), a, inputs[a * kPacks + n]);
+      inputs[3 * kPacks + n] = constant_as({query_.time, true}, Kind{});
+    }
+    return evaluate_some<kPacks>(query_.tape, inputs, static_cast<Kind*>(registers_), count);
+  }
+
+  ISO_HD R place(int p, R k) const { return clamp01(get(kOffset, p) + get(kScale, p) * k); }
+
+  // The part to look at next.
+  ISO_HD void propose(int p, Part<R>& part) const {
+    const R begin = get(kBegin, p), cut = get(kCut, p), w = get(kW, p), k = get(kK, p);
+    part.lo = free() ? begin : max(begin, place(p, k));
+    const R end = free() ? begin + w : place(p, k + w);
+    part.hi = max(min(select(part.lo < cut, min(end, cut), end), R(1)), part.lo);
+    part.busy = lanes_of<R>(slots_.busy, p);
+    part.reach = get(kReach, p);
+  }
+
+  // What the inclusion says of the part.
+  ISO_HD void classify(int p, const F& f, Part<R>& part) {
     const Interval<R> range = interval_of(f);
-    Mask<R> empty = nothing | lanes.leaves_out(range);
-    const Mask<R> small = busy & (!empty) & (w <= smallest);
-    Mask<R> accepted = Mask<R>(false);
-    if (any(small)) {
-      lanes.count(small, 3);
-      judged = judged + select(small, R(1), R(0));
-      const Mask<R> enough = judged > R(T(kMostJudged));
-      const PartVerdict<R> v = judge(lanes, range, lo, hi, (w <= R(kLeast<T>)) | enough);
-      accepted = small & v.accepted;
-      empty = empty | (small & v.empty);
-      root.doubt = root.doubt | (small & v.doubt);
-      root.hit = root.hit | accepted;
-      root.lo = select(accepted, lo, root.lo);
-      root.hi = select(accepted, hi, root.hi);
-      root.iso = select(accepted, v.iso, root.iso);
-      root.crossing = root.crossing | (accepted & v.crossing);
-      root.monotone = root.monotone | (accepted & v.monotone & v.crossing);
-      root.below = select(accepted, v.below, root.below);
-      busy = busy & (!accepted) & (!(small & v.doubt & enough));
+    const Mask<R> nothing = part.lo >= part.hi, out = leaves_out(range, query_);
+    slots_.add(kRuns, p, part.busy & !nothing, 1);
+    const Levels<R> levels = query_.options.trim ? find_levels(f, part.lo, part.hi, query_)
+                                                 : find_levels(range, part.lo, part.hi, query_);
+    part.empty = nothing | out | (levels.near > levels.far);
+    part.near = levels.near, part.far = levels.far;
+    part.finite = (range.lo > R(-kLargest<T>)) & (range.hi < R(kLargest<T>));
+    note_sides(p, part.busy & out & !nothing, range);
+
+    const R smallest = max(get(kSmallestPart, p), R(kLeast<T>));
+    const Mask<R> known = lanes_of<R>(slots_.known, p);
+    const Mask<R> fits = (!known) | (below(p, levels.iso) == levels.rises);
+    const Mask<R> narrow = part.busy & (!part.empty) & (levels.first_far - levels.near <= smallest);
+    part.accepted = part.proved = narrow & levels.alone() & fits;
+    part.root = levels;
+    // a start on the surface is no crossing: f has its side already
+    const Mask<R> start = narrow & levels.crosses & (!fits) & at_known_start(p, part.lo);
+    part.hi = select(start, max(levels.first_far, part.lo), part.hi);
+    part.empty = part.empty | start;
+    part.small = part.busy & (!part.empty) & (!part.accepted) & (part.hi - part.lo <= smallest);
+  }
+
+  // Asks f's derivative about small parts, and its values at their ends.
+  ISO_HD void judge(const int* packs, Part<R>* parts, int count) {
+    Slope<R> slopes[kPacks];
+    Interval<R> at_far[kPacks];
+    bool ask_near = false;
+    for (int n = 0; n < count; ++n) {
+      parts[n].widen();
+      ask_near = ask_near || any(parts[n].small & !lanes_of<R>(slots_.known, packs[n]));
     }
-    const Mask<R> divide = busy & (!empty), leave = busy & empty;
-    if (lanes.trims()) {
-      R near = lo, far = hi;
-      trim(lanes, f, near, far);
-      begin = select(divide, near, begin);
-      cut = select(divide, far, cut);
-      cut_end = select(divide, s + w, cut_end);
+    const auto whole = [](const Part<R>& part) { return RayPart<R>(part.near, part.end); };
+    const auto first = [](const Part<R>& part) { return RayPart<R>(part.near, part.near); };
+    const auto last = [](const Part<R>& part) { return RayPart<R>(part.end, part.end); };
+    const G* const g = evaluate_over<G>(packs, parts, count, whole);
+    for (int n = 0; n < count; ++n) slopes[n] = slope_along(packs[n], g[n]);
+    const Interval<R>* f = evaluate_over<Interval<R>>(packs, parts, count, last);
+    for (int n = 0; n < count; ++n) at_far[n] = f[n];
+    if (ask_near) f = evaluate_over<Interval<R>>(packs, parts, count, first);
+    for (int n = 0; n < count; ++n) {
+      const int p = packs[n];
+      Part<R>& part = parts[n];
+      slots_.add(kRuns, p, part.small, ask_near ? 3 : 2);
+      slots_.add(kJudged, p, part.small, 1);
+      if (ask_near) note_sides(p, part.small & !lanes_of<R>(slots_.known, p), f[n]);
+      const Mask<R> enough = get(kJudged, p) > R(T(kMostJudged));
+      const Mask<R> last_look = (part.hi - part.lo <= R(kLeast<T>)) | enough;
+      decide(part, slopes[n], ends_of(p, at_far[n]), last_look, at_known_start(p, part.near));
+      note_sides(p, part.small & part.empty & !part.doubt, at_far[n]);
+      part.over = part.doubt & enough;
+      for_lanes(p, part.doubt, [this](int, int ray) { roots_.proved[ray] = false; });
     }
+  }
+
+  // Sides of each iso-value at the ends of a small part.
+  ISO_HD Ends<R> ends_of(int p, const Interval<R>& at_end) const {
+    Ends<R> ends{query_, at_end, {}, {}};
+    const Mask<R> known = lanes_of<R>(slots_.known, p);
+    for (int i = 0; i < isos_; ++i) {
+      const Mask<R> is_below = lanes_of<R>(slots_.below[i], p);
+      const Sides<R> s = sides_of(at_end, query_, i);
+      ends.near[i].below = known & is_below;
+      ends.near[i].above = known & !is_below;
+      ends.far[i].below = s.below & at_end.defined;
+      ends.far[i].above = s.above & at_end.defined;
+    }
+    return ends;
+  }
+  ISO_HD Slope<R> slope_along(int p, const G& g) const {
+    Interval<R> d[3];
+    for (int a = 0; a < 3; ++a) {
+      const R middle = get(Field(kDx + a), p), slack = get(Field(kWx + a), p);
+      d[a] = Interval<R>(middle - slack, middle + slack);
+    }
+    return {g.dx * d[0] + g.dy * d[1] + g.dz * d[2], g.value.continuous};
+  }
+
+  // Remembers the sides that f has, in these lanes, where every iso-value is left out.
+  ISO_HD void note_sides(int p, Mask<R> where, const Interval<R>& f) {
+    Mask<R> known = f.defined;
+    for (int i = 0; i < isos_; ++i) {
+      const Sides<R> s = sides_of(f, query_, i);
+      put_lanes<R>(slots_.below[i], p, select(where, s.below, lanes_of<R>(slots_.below[i], p)));
+      known = known & (s.below | s.above);
+    }
+    put_lanes<R>(slots_.known, p, select(where, known, lanes_of<R>(slots_.known, p)));
+  }
+  // Whether f < iso where the ray has come to, for an iso-value per lane.
+  ISO_HD Mask<R> below(int p, R iso) const {
+    Mask<R> result = Mask<R>(false);
+    for (int i = 0; i < isos_; ++i) result = result | ((iso == R(T(i))) & lanes_of<R>(slots_.below[i], p));
+    return result;
+  }
+  ISO_HD Mask<R> at_known_start(int p, R s) const {
+    return lanes_of<R>(slots_.carried, p) & (s == get(kStart, p));
+  }
+
+  template <class Call> ISO_HD void for_lanes(int p, Mask<R> lanes, Call call) const {
+    for (unsigned rest = bits_of(lanes); rest; rest &= rest - 1) {
+      const int l = __builtin_ctz(rest);
+      call(l, slots_.ray[p * kWidth<R> + l]);
+    }
+  }
+  // Writes the roots of the accepted lanes.
+  ISO_HD void report(int p, const Part<R>& part) {
+    const Levels<R>& root = part.root;
+    Part<R> at_near = part;
+    at_near.lo = at_near.hi = root.near;
+    if (any(part.accepted & !lanes_of<R>(slots_.known, p)))
+      note_sides(p, part.accepted & !lanes_of<R>(slots_.known, p),
+                 *evaluate_over<Interval<R>>(&p, &at_near, 1,
+                                             [](const Part<R>& at) { return RayPart<R>(at.lo, at.hi); }));
+    T near[kWidth<R>], far[kWidth<R>], middle[kWidth<R>], iso[kWidth<R>];
+    store(near, root.near), store(far, root.first_far), store(middle, root.middle), store(iso, root.iso);
+    const unsigned proved = bits_of(part.proved), rises = bits_of(root.rises);
+    for_lanes(p, part.accepted, [&](int l, int ray) {
+      const int level = static_cast<int>(iso[l]);
+      std::uint32_t sides = 0;
+      for (int i = 0; i < isos_; ++i) sides |= (slots_.below[i] >> (p * kWidth<R> + l) & 1) << i;
+      if (proved >> l & 1) sides = (sides & ~(1u << level)) | (rises >> l & 1) << level;
+      roots_.hit[ray] = true;
+      roots_.proved[ray] = roots_.proved[ray] && (proved >> l & 1);
+      roots_.s_lo[ray] = near[l], roots_.s_hi[ray] = far[l], roots_.s[ray] = middle[l];
+      roots_.iso[ray] = static_cast<std::uint8_t>(level);
+      roots_.sides[ray] = sides;
+    });
+  }
+
+  // On to the next parts.
+  ISO_HD void advance(const int* packs, const Part<R>* parts, int count) {
+    SlotBits divide = 0, leave = 0, again = 0;
+    for (int n = 0; n < count; ++n) {
+      const Part<R>& part = parts[n];
+      put_lanes<R>(divide, packs[n], part.busy & !(part.empty | part.accepted | part.again));
+      put_lanes<R>(leave, packs[n], part.busy & part.empty);
+      put_lanes<R>(again, packs[n], part.busy & part.again);
+    }
+    // a packet divides if one of its rays wants to
+    if (together_)
+      for (int slot = 0; slot < kSlots; slot += kPacketSize) {
+        const SlotBits packet = slots_.busy & SlotBits(0xffff) << slot;
+        const bool wanted = divide & packet, waits = again & packet;
+        divide = wanted && !waits ? divide | packet : divide & ~packet;
+        leave = wanted || waits ? leave & ~packet : leave | packet;
+      }
+    for (int n = 0; n < count; ++n) {
+      const int p = packs[n];
+      const Part<R>& part = parts[n];
+      shorten(p, part);
+      if (!free()) follow_path(p, lanes_of<R>(divide, p), lanes_of<R>(leave, p));
+      const Mask<R> done = part.accepted | part.over | (get(kBegin, p) >= R(1)) | (get(kK, p) >= R(1));
+      const Mask<R> finished = part.busy & done;
+      for_lanes(p, finished, [this, p](int l, int ray) {
+        roots_.evaluations[ray] = static_cast<std::uint32_t>(slots_.field[kRuns][p * kWidth<R> + l]);
+      });
+      put_lanes<R>(slots_.busy, p, part.busy & !done);
+    }
+  }
+  // What is left of the rays after their parts.
+  ISO_HD void shorten(int p, const Part<R>& part) {
+    const Mask<R> gone = part.busy & part.empty,
+                  divide = part.busy & !(part.empty | part.accepted | part.again);
+    const R least = R(T(0.5) * kLeast<T>), far = max(part.far, part.near + least);
+    R begin = get(kBegin, p), cut = get(kCut, p), cut_end = get(kCutEnd, p), w = get(kW, p);
+    begin = select(gone, max(begin, part.hi), select(divide, part.near, begin));
+    const Mask<R> past = gone & (begin >= cut);
+    begin = select(past, max(begin, cut_end), begin);
+    const Mask<R> cuts = divide & (far < part.hi);
+    cut_end = select(past, R(1), select(cuts, select(part.hi == cut, cut_end, part.hi), cut_end));
+    cut = select(past, R(1), select(cuts, far, cut));
+    slots_.set(kBegin, p, begin), slots_.set(kCut, p, cut), slots_.set(kCutEnd, p, cut_end);
+    slots_.set(kReach, p, part.reach);
+    if (!free()) return;
+    const R length = far - part.near, half = R(0.5) * (part.hi - part.lo);
+    const R next = max(select(length <= half, length, R(0.5) * length), least);
+    slots_.set(kW, p, select(gone, w + w, select(divide, next, w)));
+  }
+  // Into the near half, or to the next part and up while both halves are done.
+  ISO_HD void follow_path(int p, Mask<R> divide, Mask<R> leave) {
+    R k = get(kK, p), w = get(kW, p);
     w = select(divide, R(0.5) * w, w);
-    s = select(leave, s + w, s);
-    // up while both halves are done
-    R number = s / w;
+    k = select(leave, k + w, k);
+    R number = k / w;
     for (;;) {
       const R half = R(0.5) * number;
       const Mask<R> both = leave & (w < R(1)) & (half == floor(half));
@@ -169,10 +320,16 @@ ISO_HD inline SegmentRoot<R> first_root(SegmentLanes<R>& lanes, R smallest, Mask
       w = select(both, w + w, w);
       number = select(both, half, number);
     }
-    busy = busy & (!(leave & (s >= R(1))));
+    slots_.set(kK, p, k), slots_.set(kW, p, w);
   }
-  refine(lanes, root, root.monotone);
-  return root;
-}
+
+  const FormulaQuery<T>& query_;
+  const SegmentStream<T>& stream_;
+  SegmentRoots<T>& roots_;
+  void* registers_;
+  int isos_, next_ = 0;
+  bool together_ = false;
+  Slots<R> slots_;
+};
 
 }  // namespace isocast::inline ISO_ISA

@@ -1,4 +1,4 @@
-// What a formula's tape may be run on to enclose it, and how a segment of a ray becomes its argument.
+// What a formula's tape may be run on to enclose it, and how a part of a ray becomes its argument.
 #pragma once
 
 #include <isocast/implicit/expression/evaluate.h>
@@ -18,24 +18,38 @@ template <class F> ISO_HD inline Gradient<F> constant_as(TapeConstant c, const G
   return Gradient<F>(constant_as(c, g.value));
 }
 
-/// One coordinate from its inclusions at the two ends of a segment.
-template <Real R>
-ISO_HD inline Interval<R> coordinate_between(const Interval<R>& a, const Interval<R>& b, const Interval<R>&) {
-  return Interval<R>(min(a.lo, b.lo), max(a.hi, b.hi));
-}
-/// The same as a form that follows the ray's symbol: -1 at a, 1 at b.
-template <Real R>
-ISO_HD inline AffineForm<R, 1> coordinate_between(const Interval<R>& a, const Interval<R>& b,
-                                                  const AffineForm<R, 1>&) {
-  const AffineForm<R, 1> p(a), q(b);
-  AffineForm<R, 1> x = p;
-  x.c = R(0.5) * p.c + R(0.5) * q.c;
-  x.e[0] = R(0.5) * q.c - R(0.5) * p.c;
-  x.r = max(p.r, q.r) + R(Scalar<R>(4) * kSpacing<Scalar<R>>) * (abs(p.c) + abs(q.c)) + underflow<R>();
-  return settled(x);
-}
-
 /// All values of an interval: itself.
 template <Real R> ISO_HD inline const Interval<R>& interval_of(const Interval<R>& f) { return f; }
+
+/// Whether an inclusion says where in its part f may be a value.
+template <class F> inline constexpr bool kTrims = false;
+template <Real R> inline constexpr bool kTrims<AffineForm<R, 1>> = true;
+
+/// One coordinate of a ray over a part [s0, s1] of it: e + s d +- slack.
+template <Real R> struct RayPart {
+  R s0, s1, middle, half;
+  ISO_HD RayPart(R from, R to) : s0(from), s1(to), middle(R(0.5) * (from + to)), half(R(0.5) * (to - from)) {}
+
+  ISO_HD void coordinate(R e, R d, R, int, R& x) const { x = e + middle * d; }
+  ISO_HD void coordinate(R e, R d, R slack, int, Interval<R>& x) const {
+    const R a = e + s0 * d, b = e + s1 * d;
+    x = Interval<R>(min(a, b) - slack, max(a, b) + slack);
+  }
+  /// Follows the ray's symbol: -1 at s0, 1 at s1.
+  ISO_HD void coordinate(R e, R d, R slack, int, AffineForm<R, 1>& x) const {
+    const Mask<R> yes = Mask<R>(true);
+    x.c = e + middle * d;
+    x.e[0] = half * d;
+    x.r = slack;
+    x.defined = x.continuous = yes;
+    x.empty = !yes;
+  }
+  template <class F> ISO_HD void coordinate(R e, R d, R slack, int axis, Gradient<F>& x) const {
+    F value;
+    coordinate(e, d, slack, axis, value);
+    using S = Scalar<R>;
+    x = Gradient<F>(value, F(S(axis == 0)), F(S(axis == 1)), F(S(axis == 2)));
+  }
+};
 
 }  // namespace isocast::inline ISO_ISA

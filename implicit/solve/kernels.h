@@ -7,15 +7,24 @@ namespace isocast {
 
 enum class Isa : std::uint8_t;  // isa/cpu.h
 
-/// Solves one packet. `registers` has room for Tape::registers times `register_bytes`, aligned to 64.
-struct FormulaKernels {
-  using SolveFloat = void(const FormulaQuery<float>&, const SegmentPacket<float>&, SegmentRoots<float>&,
-                          void* registers);
-  using SolveDouble = void(const FormulaQuery<double>&, const SegmentPacket<double>&, SegmentRoots<double>&,
-                           void* registers);
-  SolveFloat* solve_float[kFormulaMethodCount];
-  SolveDouble* solve_double[kFormulaMethodCount];
+enum class FormulaMethod : std::uint8_t { interval, affine };
+inline constexpr int kFormulaMethodCount = 2;
+
+/// A method's function. `registers` has room for Tape::registers times `register_bytes`, aligned to 64.
+template <class T> struct FormulaSolver {
+  using Solve = void(const FormulaQuery<T>&, const SegmentStream<T>&, SegmentRoots<T>&, void* registers);
+  Solve* solve;
   std::size_t register_bytes;
+};
+struct FormulaKernels {
+  FormulaSolver<float> for_float[kFormulaMethodCount];
+  FormulaSolver<double> for_double[kFormulaMethodCount];
+
+  template <class T> [[nodiscard]] const FormulaSolver<T>& solver(FormulaMethod method) const {
+    const auto i = static_cast<std::size_t>(method);
+    if constexpr (sizeof(T) == 4) return for_float[i];
+    else return for_double[i];
+  }
 };
 
 /// The table of an instruction set that runs here. The same segments give the same bits in all of them.

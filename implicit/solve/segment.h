@@ -1,50 +1,52 @@
-// Sixteen segments of rays and the roots on them: the plain data that formula kernels read and write.
+// Segments of the rays of a stream and the roots on them: the plain data that formula kernels read and write.
 #pragma once
 
 #include <isocast/implicit/expression/instruction.h>
+#include <isocast/ray/stream.h>
 
 namespace isocast {
 
-inline constexpr int kSegments = 16;
 inline constexpr int kMostIsos = 16;
 
-/// The points e + s d, 0 <= s <= 1, a lane each; e and d lie between the two numbers given for them.
+/// The points e + s d, 0 <= s <= 1, ray by ray; every true point lies within `slack` of it, axis by axis, and
+/// so does the true direction of d.
 ///
-/// begin      roots are sought in [begin, 1]
-/// sides      where the bit of the lane in `carried` is set: bit i tells whether f < iso i at `begin`, where
-/// f
-///            is not evaluated
-/// smallest   segments of this length, in s, are not divided without need
-/// active     bit l set: lane l holds a segment
-template <class T> struct alignas(64) SegmentPacket {
-  T e_lo[3][kSegments], e_hi[3][kSegments], d_lo[3][kSegments], d_hi[3][kSegments];
-  T begin[kSegments], smallest[kSegments];
-  std::uint32_t sides[kSegments];
-  std::uint32_t carried, active;
+/// begin     roots are sought in [begin, 1]
+/// smallest  parts of this length, in s, are not divided without need
+/// active    a segment is here
+/// carried   `sides` is known at `begin`, where f is not evaluated: bit i tells whether f < iso i there
+/// together  a packet's rays are divided at the same points of one axis: s = k_offset + k_scale k, 0 <= k <=
+/// 1
+template <class T> struct alignas(64) SegmentStream {
+  T e[3][kStreamSize], d[3][kStreamSize], slack[3][kStreamSize];
+  T begin[kStreamSize], smallest[kStreamSize], k_offset[kStreamSize], k_scale[kStreamSize];
+  std::uint32_t sides[kStreamSize];
+  bool active[kStreamSize], carried[kStreamSize];
+  bool together[kStreamSize / kPacketSize];
+  int size;
 };
 
-/// s             first root; it lies in [s_lo, s_hi]
-/// sides         bit i: f < iso i at s_lo
-/// iso           the iso-value that is reached
-/// evaluations   of the tape, over boxes and points
-/// hit, proved   bits: a root was found; what is said (a hit or none) is proved
-/// crossing      of the hits: f changes sign there
+/// What was found on a segment.
+///
+/// s_lo, s_hi   the first root lies between, and s is the best guess at it
+/// sides        bit i: f < iso i at s_lo
+/// iso          the iso-value that is reached
+/// evaluations  of the tape, over boxes and points
+/// hit, proved  a root was found; what is said (a hit or none) is proved
 template <class T> struct alignas(64) SegmentRoots {
-  T s[kSegments], s_lo[kSegments], s_hi[kSegments];
-  std::uint32_t sides[kSegments], evaluations[kSegments];
-  std::uint8_t iso[kSegments];
-  std::uint32_t hit, proved, crossing;
+  T s[kStreamSize], s_lo[kStreamSize], s_hi[kStreamSize];
+  std::uint32_t sides[kStreamSize], evaluations[kStreamSize];
+  std::uint8_t iso[kStreamSize];
+  bool hit[kStreamSize], proved[kStreamSize];
 };
 
-enum class FormulaMethod : std::uint8_t { interval, affine };
-inline constexpr int kFormulaMethodCount = 2;
-
-/// trim  affine: the part of a segment that its form proves empty is left out before it is divided
+/// trim     affine: the part of a segment that its form proves empty is left out before it is divided
+/// packets  rays of a packet are divided at the same points of one axis, where they can be
 struct FormulaOptions {
-  bool trim = true;
+  bool trim = true, packets = false;
 };
 
-/// iso   each iso-value lies between the two numbers
+/// iso   each iso-value lies between iso_lo and iso_hi
 /// time  the variable w
 template <class T> struct FormulaQuery {
   TapeView tape;

@@ -3,11 +3,35 @@
 #include <isocast/base/error.h>
 #include <isocast/ray/method.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <vector>
 
 namespace isocast {
+
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    words.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return words;
+}
+
+namespace {
+
+// The number of the word of an option with choices.
+double place_of(std::string_view word, const MethodOption& option, std::string_view name) {
+  const std::vector<std::string_view> words = words_of(option.choices);
+  const auto found = std::ranges::find(words, word);
+  if (found == words.end())
+    throw InputError(fmt::format("--set {}={}: expected one of: {}", name, word, fmt::join(words, ", ")));
+  return static_cast<double>(found - words.begin());
+}
+
+}  // namespace
 
 std::map<std::string, double> resolve_options(const Method& method,
                                               const std::map<std::string, std::string>& settings) {
@@ -25,6 +49,10 @@ std::map<std::string, double> resolve_options(const Method& method,
       throw InputError(fmt::format("--set {}={}: method {} has no option '{}'; it has: {}", name, text,
                                    method.name, name,
                                    names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+    if (!option->choices.empty()) {
+      values[name] = place_of(text, *option, name);
+      continue;
+    }
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool number = error == std::errc() && end == text.data() + text.size() && !text.empty();

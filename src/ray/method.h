@@ -6,16 +6,19 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace isocast {
 
-/// One `--set NAME=VALUE` of a method.
+/// One `--set NAME=VALUE` of a method. With `choices`, words with a space between, VALUE is one of them and
+/// the numbers count them from 0.
 struct MethodOption {
   std::string_view name;
   double default_value, lo, hi;
   bool integer;
   std::string_view unit;  // "" for counts and switches
   std::string_view meaning;
+  std::string_view choices = {};
 };
 
 struct Method {
@@ -27,6 +30,9 @@ struct Method {
   std::span<const MethodOption> options;
   std::string_view source;
 };
+
+/// The words of a MethodOption's choices.
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view choices);
 
 /// The values of `settings` ("iterations" -> "5") as numbers, defaults filled in. Throws InputError for an
 /// unknown name (with those that exist), a value that is no number, no integer where one is due, or outside

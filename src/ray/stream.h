@@ -6,6 +6,8 @@
 namespace isocast {
 
 inline constexpr int kStreamSize = 256;
+/// Rays in a row that make a packet: 4x4 pixels of a primary stream.
+inline constexpr int kPacketSize = 16;
 inline constexpr std::uint16_t kNoObject = 0xffff;
 
 enum class RayKind : std::uint8_t { primary, shadow, reflection, transparency };

@@ -1,11 +1,9 @@
 // Sixteen rays in sixteen cells, and what was found: the plain data that cell kernels read and write.
 #pragma once
 
-#include <isocast/isa/std.h>
+#include <isocast/ray/stream.h>
 
 namespace isocast {
-
-inline constexpr int kPacketSize = 16;
 
 /// One cell and one chord of it a lane, in structure of arrays.
 ///

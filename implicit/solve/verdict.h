@@ -1,0 +1,92 @@
+// What a part of a ray turned out to be.
+#pragma once
+
+#include <isocast/implicit/solve/levels.h>
+
+namespace isocast::inline ISO_ISA {
+
+/// Parts of this length, in s, are not divided: below, their ends are hardly apart in the arithmetic.
+template <class T> inline constexpr T kLeast = T(0);
+template <> inline constexpr float kLeast<float> = 0x1p-21f;
+template <> inline constexpr double kLeast<double> = 0x1p-44;
+
+/// One part [lo, hi] of the rays of a pack, in their s.
+///
+/// busy       lanes with a ray
+/// near, far  roots can be here only
+/// end        a little behind far: f there has a side even where a root lies at far
+/// finite     f is bounded
+/// empty      no root, or (`doubt`) nothing can be said of the part: it touches a start on the surface, or f
+///            is unbounded
+/// accepted   `root` is reported, `proved` or not
+/// small      short enough to be judged
+/// over       the ray ends without a hit
+/// again      to be judged once more, with `reach`
+template <Real R> struct Part {
+  R lo, hi, near, far, end, reach;
+  Mask<R> busy, finite, empty, accepted, proved, small = Mask<R>(false), doubt = small, over = small,
+                                                 again = small;
+  Levels<R> root;
+
+  ISO_HD void widen() {
+    const R least = R(Scalar<R>(0.25) * kLeast<Scalar<R>>);
+    end = min(far + max(max(R(0.5) * (far - near), reach), least), R(1));
+  }
+};
+
+/// The derivative of f along the ray over a part, and where f is continuous there.
+template <Real R> struct Slope {
+  Interval<R> value;
+  Mask<R> continuous;
+};
+
+/// Where f lies at both ends of a part, iso-value by iso-value, and its inclusion at the far one.
+template <Real R> struct Ends {
+  const FormulaQuery<Scalar<R>>& query;
+  Interval<R> f_far;
+  Sides<R> near[kMostIsos], far[kMostIsos];
+};
+
+/// Decides small parts: where f is monotone, its sides at the ends tell; a crossing is narrowed down by one
+/// step of the interval Newton method. What cannot be told at the last look becomes a hit without proof.
+template <Real R>
+ISO_HD inline void decide(Part<R>& part, const Slope<R>& slope, const Ends<R>& ends, Mask<R> last_look,
+                          Mask<R> at_start) {
+  using T = Scalar<R>;
+  const Interval<R> d = slope.value;
+  const Mask<R> monotone = d.defined & slope.continuous & ((d.lo > R(0)) | (d.hi < R(0)));
+  Levels<R> roots;
+  Mask<R> same = Mask<R>(true), hidden = Mask<R>(false);
+  for (int i = 0; i < ends.query.iso_count; ++i) {
+    const Sides<R> a = ends.near[i], b = ends.far[i];
+    const Mask<R> rises = a.below & b.above, crosses = rises | (a.above & b.below);
+    same = same & ((a.below & b.below) | (a.above & b.above));
+    hidden = hidden | !(b.below | b.above);
+    if (!any(crosses)) continue;
+    const Interval<R> level(R(ends.query.iso_lo[i]), R(ends.query.iso_hi[i]));
+    const Interval<R> newton = Interval<R>(part.end) - (ends.f_far - level) / d;
+    const R lo = max(newton.lo, part.near), hi = max(min(newton.hi, part.end), lo);
+    roots.add(crosses, i, lo, hi, R(0.5) * (lo + hi), crosses, rises);
+  }
+  const Mask<R> empty = part.small & monotone & same, accepted = part.small & monotone & roots.alone();
+  // f's side at the end is hidden by roundings: twice as far as they reach it is not
+  const R reach = R(2) * (ends.f_far.hi - ends.f_far.lo) / min(abs(d.lo), abs(d.hi));
+  part.again = part.small & monotone & hidden & (!last_look) & (part.end < R(1)) &
+               (reach > R(2) * max(part.reach, part.end - part.far)) & (reach < R(1)) & !(empty | accepted);
+  part.reach = select(part.again, reach, part.reach);
+  const Mask<R> stuck = part.small & last_look & !(empty | accepted);
+  part.doubt = stuck & (at_start | !part.finite);
+  part.hi = select(empty, part.end, part.hi);
+  part.empty = part.empty | empty | part.doubt;
+  const Mask<R> unproved = stuck & !part.doubt;
+  part.accepted = part.accepted | accepted | unproved;
+  part.proved = part.proved | accepted;
+  const auto take = [&](R& mine, R found) { mine = select(accepted, found, mine); };
+  take(part.root.near, roots.near), take(part.root.first_far, roots.first_far);
+  take(part.root.middle, roots.middle), take(part.root.iso, roots.iso);
+  part.root.rises = select(accepted, roots.rises, part.root.rises);
+  part.root.middle = select(unproved, R(T(0.5)) * (part.near + part.far), part.root.middle);
+  part.root.first_far = select(unproved, part.far, part.root.first_far);
+}
+
+}  // namespace isocast::inline ISO_ISA
