@@ -77,7 +77,7 @@ template <class T> void set_segment(SegmentStream<T>& segments, int i, const Cli
     const double longest = std::max(std::abs(span.lo), std::abs(span.hi));
     squared += longest * longest;
   }
-  segments.smallest[i] = static_cast<T>(std::min(1.0, eps / std::sqrt(squared)));
+  segments.smallest[i] = static_cast<T>(std::min(0x1p100, eps / std::sqrt(squared)));
   segments.k_offset[i] = 0;
   segments.k_scale[i] = 1;
 }
@@ -113,6 +113,33 @@ template <class T> bool march_together(SegmentStream<T>& segments, int first) {
   return true;
 }
 
+// The median length of f's gradient at points spread over the box (the sequence of the plastic number's
+// cousin in three dimensions, Roberts 2018); 1 where it has none.
+double median_gradient(const Tape& tape, const Box& box, double time) {
+  using F = Gradient<double>;
+  constexpr int kPoints = 1024;
+  constexpr double kRatio = 1.2207440846057596;  // x^4 = x + 1
+  auto* const registers = static_cast<F*>(registers_of(tape.registers * sizeof(F)));
+  std::vector<double> lengths;
+  for (int n = 1; n <= kPoints; ++n) {
+    F inputs[4] = {F(0.0), F(0.0), F(0.0), F(time)};
+    double step = 1;
+    for (int a = 0; a < 3; ++a) {
+      step /= kRatio;
+      const double place = n * step - std::floor(n * step);
+      inputs[a].value = box.lo[a] + place * (box.hi[a] - box.lo[a]);
+    }
+    inputs[0].dx = inputs[1].dy = inputs[2].dz = 1;
+    const F f = evaluate(tape.view(), inputs, registers);
+    const double size = length({f.dx, f.dy, f.dz});
+    if (std::isfinite(size) && size > 0) lengths.push_back(size);
+  }
+  if (lengths.empty()) return 1;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
 }  // namespace
 
 ImplicitSurface::ImplicitSurface(const Expression& expression, const Domain& domain,
@@ -134,11 +161,15 @@ template <class T> FormulaQuery<T> ImplicitSurface::make_query() const {
   query.tape = tape_.view();
   query.iso_count = static_cast<int>(options_.iso.size());
   for (std::size_t i = 0; i < options_.iso.size(); ++i) {
-    const Interval<T> iso = enclosed<T>(options_.iso[i], true);
+    const Interval<T> iso = enclosed<T>(options_.iso[i] + options_.method.offset, true);
     query.iso_lo[i] = iso.lo, query.iso_hi[i] = iso.hi;
   }
   query.time = options_.time;
-  query.options = options_.method.options;
+  FormulaOptions& method = query.options = options_.method.options;
+  method.step = eps_;
+  if (method.tau[0] == 0) method.tau[0] = gradient_ * eps_;
+  if (method.tau[1] == 0) method.tau[1] = 2 * method.tau[0];
+  if (method.tau[2] == 0) method.tau[2] = 0.1 * gradient_;
   return query;
 }
 
@@ -151,7 +182,10 @@ void ImplicitSurface::set_options(const ImplicitSurfaceOptions& options) {
   options_ = options;
   double longest = 0;
   for (int a = 0; a < 3; ++a) longest = std::max(longest, bounds_.hi[a] - bounds_.lo[a]);
-  eps_ = options.method.eps > 0 ? options.method.eps : options.method.eps_rel * longest;
+  const FormulaMethodChoice& method = options.method;
+  eps_ = method.eps > 0 ? method.eps : method.eps_rel * longest;
+  if (!method.proves()) eps_ = method.options.step > 0 ? method.options.step : 0x1p-8 * longest;
+  gradient_ = method.proves() ? 0 : median_gradient(tape_, bounds_, options.time);
   float_query_ = make_query<float>();
   double_query_ = make_query<double>();
 }
@@ -189,7 +223,7 @@ void ImplicitSurface::trace(const FormulaQuery<T>& query, bool next, const RaySt
     hits.cost[i] += roots.evaluations[i];
     counts.evaluations += roots.evaluations[i];
     if (!roots.hit[i]) {
-      if (!roots.proved[i]) hits.certificate[i] = Certificate::undecided;
+      if (!roots.proved[i] && proves()) hits.certificate[i] = Certificate::undecided;
       continue;
     }
     const ClippedRay& ray = clipped[i];
@@ -206,7 +240,9 @@ void ImplicitSurface::trace(const FormulaQuery<T>& query, bool next, const RaySt
     hits.iso[i] = roots.iso[i];
     hits.object[i] = options_.object;
     hits.sides[i] = roots.sides[i];
-    hits.certificate[i] = roots.proved[i] ? Certificate::proved_hit : Certificate::undecided;
+    hits.certificate[i] = !proves()         ? Certificate::no_proof
+                          : roots.proved[i] ? Certificate::proved_hit
+                                            : Certificate::undecided;
   }
 }
 

@@ -38,7 +38,7 @@ class ImplicitSurface final : public Surface {
   void set_options(const ImplicitSurfaceOptions& options);
 
   [[nodiscard]] Box bounds() const override { return bounds_; }
-  [[nodiscard]] bool proves() const override { return true; }
+  [[nodiscard]] bool proves() const override { return options_.method.proves(); }
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
@@ -51,6 +51,7 @@ class ImplicitSurface final : public Surface {
              TraceCounts& counts) const;
 
   Tape tape_;
+  double gradient_;  // median of its length, probed
   Box bounds_;
   ImplicitSurfaceOptions options_;
   FormulaQuery<float> float_query_ = {};

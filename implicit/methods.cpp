@@ -24,27 +24,79 @@ constexpr MethodOption kBisection = {
     "t: each ray for itself; k: 16 rays are divided together, along the axis that they follow most",
     "t k"};
 
+constexpr MethodOption kStep = {
+    "step", 0, 0, 1e300, false, "world length", "base step; 0: 2^-8 of the domain's longest edge"};
+constexpr MethodOption tau(std::string_view name, std::string_view meaning) {
+  return {name, 0, 0, 1e300, false, "", meaning};
+}
+constexpr MethodOption kHalvings = {
+    "iterations", 10, 0, 60, true, "", "bisections of the step that holds a root"};
+constexpr MethodOption kOffset = {"offset",
+                                  0,
+                                  -1e300,
+                                  1e300,
+                                  false,
+                                  "",
+                                  "added to every iso-value: fattens a surface that is only touched"};
+
 constexpr MethodOption kInterval[] = {kEps, kEpsRel, kBisection};
 constexpr MethodOption kAffine[] = {kEps, kEpsRel, kBisection, kTrim};
+constexpr MethodOption kDerivative[] = {kEps, kEpsRel};
+constexpr MethodOption kMarching[] = {
+    kStep,
+    tau("tau1", "where |f - iso| is at most this, half a step; 0: the median gradient times the base step"),
+    tau("tau2", "where it is more than this, two; 0: twice tau1"),
+    tau("tau3",
+        "where it is at most tau1 and |df/dt| at most this, a quarter; 0: a tenth of the median gradient"),
+    kHalvings,
+    kOffset};
+
+constexpr const char* kMitchell =
+    "Mitchell: Robust ray intersection with interval arithmetic, Graphics Interface 1990";
+constexpr const char* kMoore =
+    "Moore, Kearfott, Cloud: Introduction to interval analysis, SIAM 2009, chapter 8";
+constexpr const char* kSingh =
+    "Singh, Narayanan: Real-time ray tracing of implicit surfaces on the GPU, IEEE Transactions on "
+    "Visualization and Computer Graphics 16(2), 2010";
+
 constexpr Method kMethods[kFormulaMethodCount] = {
     {"interval", "formula", "both", "library", "float double", kInterval, kKnoll},
     {"affine", "formula", "both", "library", "float double", kAffine, kKnoll},
+    {"mitchell", "formula", "both", "library", "float double", kDerivative, kMitchell},
+    {"interval-newton", "formula", "both", "library", "float double", kDerivative, kMoore},
+    {"amp-sign", "formula", "nothing", "library", "float double", kMarching, kSingh},
+    {"amp-taylor", "formula", "nothing", "library", "float double", kMarching, kSingh},
 };
 
 }  // namespace
 
 std::span<const Method> formula_methods() { return kMethods; }
 
+bool FormulaMethodChoice::proves() const {
+  return kMethods[static_cast<std::size_t>(method)].proves != "nothing";
+}
+
 FormulaMethodChoice choose_formula_method(std::string_view name,
                                           const std::map<std::string, std::string>& settings) {
-  const Method& method = find_method(kMethods, name == "auto" ? "affine" : name);
+  const Method& method = find_method(kMethods, name);
   const std::map<std::string, double> values = resolve_options(method, settings);
   FormulaMethodChoice choice;
   choice.method = static_cast<FormulaMethod>(&method - kMethods);
-  choice.eps = values.at("eps");
-  choice.eps_rel = values.at("eps-rel");
-  choice.options.packets = values.at("bisection") == 1;
-  if (const auto trim = values.find("trim"); trim != values.end()) choice.options.trim = trim->second != 0;
+  const auto value = [&values](const char* option, double otherwise) {
+    const auto found = values.find(option);
+    return found == values.end() ? otherwise : found->second;
+  };
+  choice.eps = value("eps", choice.eps);
+  choice.eps_rel = value("eps-rel", choice.eps_rel);
+  choice.offset = value("offset", 0);
+  FormulaOptions& options = choice.options;
+  options.trim = value("trim", 1) != 0;
+  options.packets = value("bisection", 0) == 1;
+  options.step = value("step", 0);
+  options.tau[0] = value("tau1", 0), options.tau[1] = value("tau2", 0), options.tau[2] = value("tau3", 0);
+  options.halvings = static_cast<int>(value("iterations", 0));
+  if (choice.method == FormulaMethod::mitchell) options.derivative = Derivative::of_all;
+  if (choice.method == FormulaMethod::interval_newton) options.derivative = Derivative::newton;
   return choice;
 }
 

@@ -10,17 +10,21 @@
 
 namespace isocast {
 
-/// interval, affine: in the order of FormulaMethod.
+/// In the order of FormulaMethod.
 [[nodiscard]] std::span<const Method> formula_methods();
 
-/// eps       a length in world units; 0: from eps_rel
-/// eps_rel   of the domain's longest edge
+/// A row with the values of its options; lengths in world units, 0 where the domain or f's probe decides.
+///
+/// eps       a length; 0: eps_rel, a fraction of the domain's longest edge
+/// options   step and tau may be 0 as well
+/// offset    added to every iso-value
 struct FormulaMethodChoice {
   FormulaMethod method = FormulaMethod::affine;
   FormulaOptions options;
-  double eps = 0, eps_rel = 0x1p-11;
+  double eps = 0, eps_rel = 0x1p-11, offset = 0;
+  [[nodiscard]] bool proves() const;
 };
-/// A row with its `--set` values; "auto" is affine. Throws InputError as find_method and resolve_options do.
+/// A row with its `--set` values. Throws InputError as find_method and resolve_options do.
 [[nodiscard]] FormulaMethodChoice choose_formula_method(std::string_view name,
                                                         const std::map<std::string, std::string>& settings);
 

@@ -226,7 +226,7 @@ void add_render(CLI::App& app) {
                    "Box of a formula: LO,HI or XLO,XHI,YLO,YHI,ZLO,ZHI (default: -1,1, or the catalogue's)");
   verb->add_option("--time", w->time, "The variable w of a formula (default 0)");
   verb->add_option("--method", w->method,
-                   "auto (marmitt for volumes, affine for formulas), or a name that 'isocast methods' lists");
+                   "auto (marmitt for volumes, interval or affine for formulas), or a name that 'isocast methods' lists");
   verb->add_option("--set", w->set, "An option of the method, KEY=VALUE")->allow_extra_args(false);
   verb->add_option("--size", w->size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
   verb->add_option("--spp", w->spp,

@@ -2,6 +2,7 @@
 #include <isocast/apps/scene_build/scene_build.h>
 #include <isocast/base/error.h>
 #include <isocast/base/mapped_file.h>
+#include <isocast/implicit/automatic.h>
 #include <isocast/volume/statistics.h>
 
 #include <chrono>
@@ -79,13 +80,18 @@ void build(BuiltScene& built, const VolumeSource& source, const ObjectDescriptio
 void build(BuiltScene& built, const FormulaSource& source, const ObjectDescription& wanted,
            const EvaluationSettings& settings) {
   ImplicitSurfaceOptions options;
-  options.method = choose_formula_method(wanted.method, wanted.settings);
+  const bool automatic = wanted.method == "auto";
+  options.method = choose_formula_method(automatic ? "affine" : wanted.method, wanted.settings);
   options.double_precision = settings.double_precision;
   options.isa = settings.isa;
   options.time = source.time;
   if (!wanted.iso.empty()) options.iso = wanted.iso;
+  if (automatic) {
+    const AutomaticMethod choice = choose_automatically(source.expression, source.domain, options);
+    options.method.method = choice.method;
+    built.method_reason = choice.reason;
+  }
   built.method = std::string(formula_methods()[static_cast<std::size_t>(options.method.method)].name);
-  if (wanted.method == "auto") built.method_reason = "forms that follow the ray keep what intervals forget";
 
   const auto start = Clock::now();
   const auto surface = std::make_shared<ImplicitSurface>(source.expression, source.domain, options);

@@ -46,7 +46,10 @@ template <class F, Real R> class Bisection {
 
  private:
   /// Whether a form's trimming leads the way.
-  ISO_HD bool free() const { return query_.options.trim && kTrims<F> && !together_; }
+  ISO_HD bool free() const {
+    const bool newton = query_.options.derivative == Derivative::newton;
+    return !together_ && ((query_.options.trim && kTrims<F>) || newton);
+  }
   ISO_HD R get(Field field, int p) const { return slots_.get(field, p); }
 
   ISO_HD void run_those_that_march(bool together) {
@@ -85,10 +88,11 @@ template <class F, Real R> class Bisection {
     for (int n = 0; n < count; ++n) propose(packs[n], parts[n]);
     const F* const f = evaluate_over<F>(packs, parts, count,
                                         [](const Part<R>& part) { return RayPart<R>(part.lo, part.hi); });
+    for (int n = 0; n < count; ++n) classify(packs[n], f[n], parts[n]);
+    if (query_.options.derivative == Derivative::newton) newton(packs, parts, count);
     int small[kPacks], small_count = 0;
     Part<R> small_parts[kPacks];
     for (int n = 0; n < count; ++n) {
-      classify(packs[n], f[n], parts[n]);
       if (!any(parts[n].small)) continue;
       small[small_count] = packs[n];
       small_parts[small_count++] = parts[n];
@@ -132,14 +136,19 @@ template <class F, Real R> class Bisection {
     const Interval<R> range = interval_of(f);
     const Mask<R> nothing = part.lo >= part.hi, out = leaves_out(range, query_);
     slots_.add(kRuns, p, part.busy & !nothing, 1);
-    const Levels<R> levels = query_.options.trim ? find_levels(f, part.lo, part.hi, query_)
-                                                 : find_levels(range, part.lo, part.hi, query_);
-    part.empty = nothing | out | (levels.near > levels.far);
-    part.near = levels.near, part.far = levels.far;
+    part.empty = nothing | out;
     part.finite = (range.lo > R(-kLargest<T>)) & (range.hi < R(kLargest<T>));
     note_sides(p, part.busy & out & !nothing, range);
-
-    const R smallest = max(get(kSmallestPart, p), R(kLeast<T>));
+    take(p,
+         query_.options.trim ? find_levels(f, part.lo, part.hi, query_)
+                             : find_levels(range, part.lo, part.hi, query_),
+         part);
+  }
+  // Accepts a crossing that is proved and narrow enough, and finds what is to be judged.
+  ISO_HD void take(int p, const Levels<R>& levels, Part<R>& part) {
+    const R smallest = smallest_part(p);
+    part.empty = part.empty | (levels.near > levels.far);
+    part.near = levels.near, part.far = levels.far, part.resume = levels.resume;
     const Mask<R> known = lanes_of<R>(slots_.known, p);
     const Mask<R> fits = (!known) | (below(p, levels.iso) == levels.rises);
     const Mask<R> narrow = part.busy & (!part.empty) & (levels.first_far - levels.near <= smallest);
@@ -149,7 +158,35 @@ template <class F, Real R> class Bisection {
     const Mask<R> start = narrow & levels.crosses & (!fits) & at_known_start(p, part.lo);
     part.hi = select(start, max(levels.first_far, part.lo), part.hi);
     part.empty = part.empty | start;
-    part.small = part.busy & (!part.empty) & (!part.accepted) & (part.hi - part.lo <= smallest);
+    const Mask<R> rest = part.busy & !(part.empty | part.accepted);
+    part.small = rest & (part.hi - part.lo <= smallest);
+    if (query_.options.derivative == Derivative::of_all) part.small = rest;
+  }
+  ISO_HD R smallest_part(int p) const { return max(get(kSmallestPart, p), R(kLeast<T>)); }
+
+  // One step of the interval Newton method for parts that are neither empty nor small.
+  ISO_HD void newton(const int* packs, Part<R>* parts, int count) {
+    NewtonForm<R> forms[kPacks];
+    const G* const g = evaluate_over<G>(packs, parts, count,
+                                        [](const Part<R>& part) { return RayPart<R>(part.lo, part.hi); });
+    for (int n = 0; n < count; ++n) {
+      forms[n].range = g[n].value;
+      forms[n].slope = slope_along(packs[n], g[n]).value;
+    }
+    const Interval<R>* const f = evaluate_over<Interval<R>>(packs, parts, count, [](const Part<R>& part) {
+      const R middle = R(0.5) * (part.lo + part.hi);
+      return RayPart<R>(middle, middle);
+    });
+    for (int n = 0; n < count; ++n) {
+      forms[n].at_middle = f[n];
+      Part<R> part = parts[n];
+      const Mask<R> mine = part.busy & !(part.empty | part.small);
+      if (!any(mine)) continue;
+      slots_.add(kRuns, packs[n], mine, 2);
+      part.busy = mine;
+      take(packs[n], find_levels(forms[n], part.lo, part.hi, query_), part);
+      parts[n].replace(mine, part);
+    }
   }
 
   // Asks f's derivative about small parts, and its values at their ends.
@@ -158,7 +195,7 @@ template <class F, Real R> class Bisection {
     Interval<R> at_far[kPacks];
     bool ask_near = false;
     for (int n = 0; n < count; ++n) {
-      parts[n].widen();
+      parts[n].widen(smallest_part(packs[n]));
       ask_near = ask_near || any(parts[n].small & !lanes_of<R>(slots_.known, packs[n]));
     }
     const auto whole = [](const Part<R>& part) { return RayPart<R>(part.near, part.end); };
@@ -173,11 +210,12 @@ template <class F, Real R> class Bisection {
       const int p = packs[n];
       Part<R>& part = parts[n];
       slots_.add(kRuns, p, part.small, ask_near ? 3 : 2);
-      slots_.add(kJudged, p, part.small, 1);
+      slots_.add(kJudged, p, part.small & (part.hi - part.lo <= smallest_part(p)), 1);
       if (ask_near) note_sides(p, part.small & !lanes_of<R>(slots_.known, p), f[n]);
       const Mask<R> enough = get(kJudged, p) > R(T(kMostJudged));
       const Mask<R> last_look = (part.hi - part.lo <= R(kLeast<T>)) | enough;
-      decide(part, slopes[n], ends_of(p, at_far[n]), last_look, at_known_start(p, part.near));
+      decide(part, slopes[n], ends_of(p, at_far[n]), last_look, at_known_start(p, part.near),
+             smallest_part(p));
       note_sides(p, part.small & part.empty & !part.doubt, at_far[n]);
       part.over = part.doubt & enough;
       for_lanes(p, part.doubt, [this](int, int ray) { roots_.proved[ray] = false; });
@@ -298,7 +336,8 @@ template <class F, Real R> class Bisection {
     const Mask<R> past = gone & (begin >= cut);
     begin = select(past, max(begin, cut_end), begin);
     const Mask<R> cuts = divide & (far < part.hi);
-    cut_end = select(past, R(1), select(cuts, select(part.hi == cut, cut_end, part.hi), cut_end));
+    const R resume = select(part.hi == cut, cut_end, part.hi);
+    cut_end = select(past, R(1), select(cuts, select(part.resume < part.hi, part.resume, resume), cut_end));
     cut = select(past, R(1), select(cuts, far, cut));
     slots_.set(kBegin, p, begin), slots_.set(kCut, p, cut), slots_.set(kCutEnd, p, cut_end);
     slots_.set(kReach, p, part.reach);

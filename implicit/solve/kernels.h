@@ -7,8 +7,8 @@ namespace isocast {
 
 enum class Isa : std::uint8_t;  // isa/cpu.h
 
-enum class FormulaMethod : std::uint8_t { interval, affine };
-inline constexpr int kFormulaMethodCount = 2;
+enum class FormulaMethod : std::uint8_t { interval, affine, mitchell, interval_newton, amp_sign, amp_taylor };
+inline constexpr int kFormulaMethodCount = 6;
 
 /// A method's function. `registers` has room for Tape::registers times `register_bytes`, aligned to 64.
 template <class T> struct FormulaSolver {

@@ -1,6 +1,7 @@
 // Compiled once per instruction set: every solver over the native register of float and double.
 #include <isocast/implicit/solve/bisection.h>
 #include <isocast/implicit/solve/kernels.h>
+#include <isocast/implicit/solve/marching_points.h>
 #include <isocast/implicit/solve/polish.h>
 #include <isocast/math/pack.h>
 
@@ -10,24 +11,28 @@ extern const FormulaKernels formula_kernel_table;
 
 namespace {
 
+constexpr std::size_t larger(std::size_t a, std::size_t b) { return a > b ? a : b; }
+
 template <class Method, class T> constexpr FormulaSolver<T> solver() {
-  using Finish = Polish<Native<T>>;
-  constexpr std::size_t bytes =
-      Method::kRegisterBytes > Finish::kRegisterBytes ? Method::kRegisterBytes : Finish::kRegisterBytes;
+  constexpr std::size_t polish_bytes = HitLanes<Native<T>>::kPacks * sizeof(Gradient<Native<T>>);
   return {[](const FormulaQuery<T>& query, const SegmentStream<T>& stream, SegmentRoots<T>& roots,
              void* registers) {
             Method(query, stream, roots, registers).run();
-            Finish(query, stream, roots, registers).run();
+            polish<Native<T>>(query, stream, roots, registers);
           },
-          bytes};
+          larger(Method::kRegisterBytes, polish_bytes)};
 }
 template <class T> constexpr auto interval = solver<Bisection<Interval<Native<T>>, Native<T>>, T>();
 template <class T> constexpr auto affine = solver<Bisection<AffineForm<Native<T>, 1>, Native<T>>, T>();
+template <class T> constexpr auto amp_sign = solver<MarchingPoints<false, Native<T>>, T>();
+template <class T> constexpr auto amp_taylor = solver<MarchingPoints<true, Native<T>>, T>();
 
 }  // namespace
 
-// the order of FormulaMethod
-const FormulaKernels formula_kernel_table = {{interval<float>, affine<float>},
-                                             {interval<double>, affine<double>}};
+// the order of FormulaMethod; mitchell and interval_newton are interval with other options
+const FormulaKernels formula_kernel_table = {
+    {interval<float>, affine<float>, interval<float>, interval<float>, amp_sign<float>, amp_taylor<float>},
+    {interval<double>, affine<double>, interval<double>, interval<double>, amp_sign<double>,
+     amp_taylor<double>}};
 
 }  // namespace isocast::inline ISO_ISA

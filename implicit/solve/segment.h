@@ -40,10 +40,21 @@ template <class T> struct alignas(64) SegmentRoots {
   bool hit[kStreamSize], proved[kStreamSize];
 };
 
-/// trim     affine: the part of a segment that its form proves empty is left out before it is divided
-/// packets  rays of a packet are divided at the same points of one axis, where they can be
+/// Which parts of a ray f's derivative is asked about: small ones; all (Mitchell); all, and where it excludes
+/// zero an interval Newton step tells what is left of the part.
+enum class Derivative : std::uint8_t { of_small, of_all, newton };
+
+/// trim        affine: the part of a segment that its form proves empty is left out before it is divided
+/// packets     rays of a packet are divided at the same points of one axis, where they can be
+/// derivative  interval
+/// tau         marching points: the thresholds of |f|, |f| and |df/dt|
+/// step        marching points: the base step, a world length
+/// halvings    marching points: bisections of the step that holds a root
 struct FormulaOptions {
   bool trim = true, packets = false;
+  Derivative derivative = Derivative::of_small;
+  double tau[3] = {}, step = 0;
+  int halvings = 10;
 };
 
 /// iso   each iso-value lies between iso_lo and iso_hi

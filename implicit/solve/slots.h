@@ -36,11 +36,12 @@ template <Real R> ISO_HD inline void put_lanes(SlotBits& bits, int p, Mask<R> ma
 /// cut, cut_end         from cut to cut_end none either; nothing is known behind cut_end
 /// offset, scale, k, w  the part in turn on a path of halves: from k to k + w, s = offset + scale k
 /// reach                how far behind a part f is looked at for its side: as far as roundings hide it
+/// value, slope         f and df/dt at begin, of marching points
 /// judged, runs         small parts looked at, evaluations
 enum Field {
   // clang-format off
   kEx, kEy, kEz, kDx, kDy, kDz, kWx, kWy, kWz, kStart, kSmallestPart, kOffset, kScale, kBegin, kCut, kCutEnd, kK, kW,
-  kReach, kJudged, kRuns, kFields
+  kReach, kValue, kSlope, kJudged, kRuns, kFields
   // clang-format on
 };
 
@@ -77,7 +78,8 @@ template <Real R> struct Slots {
     field[kOffset][slot] = stream.k_offset[i];
     field[kScale][slot] = stream.k_scale[i];
     field[kCut][slot] = field[kCutEnd][slot] = field[kW][slot] = T(1);
-    field[kK][slot] = field[kReach][slot] = field[kJudged][slot] = field[kRuns][slot] = T(0);
+    field[kK][slot] = field[kReach][slot] = field[kValue][slot] = field[kSlope][slot] = field[kJudged][slot] =
+        field[kRuns][slot] = T(0);
     ray[slot] = i;
     const auto put = [bit](SlotBits& bits, bool on) { bits = on ? bits | bit : bits & ~bit; };
     put(busy, true);

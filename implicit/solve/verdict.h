@@ -14,6 +14,7 @@ template <> inline constexpr double kLeast<double> = 0x1p-44;
 ///
 /// busy       lanes with a ray
 /// near, far  roots can be here only
+/// resume     if not behind hi, where they can be again
 /// end        a little behind far: f there has a side even where a root lies at far
 /// finite     f is bounded
 /// empty      no root, or (`doubt`) nothing can be said of the part: it touches a start on the surface, or f
@@ -23,14 +24,22 @@ template <> inline constexpr double kLeast<double> = 0x1p-44;
 /// over       the ray ends without a hit
 /// again      to be judged once more, with `reach`
 template <Real R> struct Part {
-  R lo, hi, near, far, end, reach;
+  R lo, hi, near, far, end, reach, resume;
   Mask<R> busy, finite, empty, accepted, proved, small = Mask<R>(false), doubt = small, over = small,
                                                  again = small;
   Levels<R> root;
 
-  ISO_HD void widen() {
-    const R least = R(Scalar<R>(0.25) * kLeast<Scalar<R>>);
-    end = min(far + max(max(R(0.5) * (far - near), reach), least), R(1));
+  /// Takes over what was found of other's lanes.
+  ISO_HD void replace(Mask<R> where, const Part& other) {
+    const auto put = [where](auto& mine, const auto& found) { mine = select(where, found, mine); };
+    put(hi, other.hi), put(near, other.near), put(far, other.far), put(resume, other.resume);
+    put(empty, other.empty), put(accepted, other.accepted), put(proved, other.proved),
+        put(small, other.small);
+    root.replace(where, other.root);
+  }
+  ISO_HD void widen(R smallest) {
+    const R least = R(Scalar<R>(0.25) * kLeast<Scalar<R>>), length = far - near;
+    end = min(far + max(max(min(R(0.5) * length, smallest), reach), least), R(1));
   }
 };
 
@@ -51,7 +60,7 @@ template <Real R> struct Ends {
 /// step of the interval Newton method. What cannot be told at the last look becomes a hit without proof.
 template <Real R>
 ISO_HD inline void decide(Part<R>& part, const Slope<R>& slope, const Ends<R>& ends, Mask<R> last_look,
-                          Mask<R> at_start) {
+                          Mask<R> at_start, R smallest) {
   using T = Scalar<R>;
   const Interval<R> d = slope.value;
   const Mask<R> monotone = d.defined & slope.continuous & ((d.lo > R(0)) | (d.hi < R(0)));
@@ -68,7 +77,11 @@ ISO_HD inline void decide(Part<R>& part, const Slope<R>& slope, const Ends<R>& e
     const R lo = max(newton.lo, part.near), hi = max(min(newton.hi, part.end), lo);
     roots.add(crosses, i, lo, hi, R(0.5) * (lo + hi), crosses, rises);
   }
-  const Mask<R> empty = part.small & monotone & same, accepted = part.small & monotone & roots.alone();
+  const Mask<R> empty = part.small & monotone & same, alone = part.small & monotone & roots.alone();
+  const Mask<R> accepted =
+      alone & ((roots.first_far - roots.near <= smallest) | (part.hi - part.lo <= smallest));
+  part.near = select(alone, roots.near, part.near);
+  part.far = select(alone, min(roots.first_far, part.hi), part.far);
   // f's side at the end is hidden by roundings: twice as far as they reach it is not
   const R reach = R(2) * (ends.f_far.hi - ends.f_far.lo) / min(abs(d.lo), abs(d.hi));
   part.again = part.small & monotone & hidden & (!last_look) & (part.end < R(1)) &
@@ -81,10 +94,7 @@ ISO_HD inline void decide(Part<R>& part, const Slope<R>& slope, const Ends<R>& e
   const Mask<R> unproved = stuck & !part.doubt;
   part.accepted = part.accepted | accepted | unproved;
   part.proved = part.proved | accepted;
-  const auto take = [&](R& mine, R found) { mine = select(accepted, found, mine); };
-  take(part.root.near, roots.near), take(part.root.first_far, roots.first_far);
-  take(part.root.middle, roots.middle), take(part.root.iso, roots.iso);
-  part.root.rises = select(accepted, roots.rises, part.root.rises);
+  part.root.replace(accepted, roots);
   part.root.middle = select(unproved, R(T(0.5)) * (part.near + part.far), part.root.middle);
   part.root.first_far = select(unproved, part.far, part.root.first_far);
 }

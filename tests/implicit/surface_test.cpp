@@ -17,9 +17,19 @@ namespace {
 const double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Domain kBox = {{-2, -2, -2}, {2, 2, 2}};
 
-ImplicitSurfaceOptions options_of(const std::string& method, bool precise = false, Isa isa = widest_isa()) {
+// Methods with a setting: what proves, and what does not.
+struct Choice {
+  const char *method, *key, *value;
+};
+constexpr Choice kProving[] = {
+    {"interval", "bisection", "t"},         {"interval", "bisection", "k"}, {"affine", "bisection", "t"},
+    {"affine", "bisection", "k"},           {"affine", "trim", "0"},        {"mitchell", "eps-rel", "0.001"},
+    {"interval-newton", "eps-rel", "0.001"}};
+constexpr Choice kMarching[] = {{"amp-sign", "iterations", "20"}, {"amp-taylor", "iterations", "20"}};
+
+ImplicitSurfaceOptions options_of(const Choice& choice, bool precise = false, Isa isa = widest_isa()) {
   ImplicitSurfaceOptions options;
-  options.method = choose_formula_method(method, {});
+  options.method = choose_formula_method(choice.method, {{choice.key, choice.value}});
   options.double_precision = precise;
   options.isa = isa;
   return options;
@@ -68,11 +78,11 @@ std::vector<long double> sphere_roots(const RayStream& rays, int i, long double 
 
 TEST_CASE("what is proved of a sphere is true, and little stays undecided", "[property]") {
   std::mt19937_64 random(1);
-  for (const char* method : {"interval", "affine"})
+  for (const Choice& method : kProving)
     for (const bool precise : {false, true}) {
-      INFO(method << (precise ? " double" : " float"));
+      INFO(method.method << " " << method.key << (precise ? " double" : " float"));
       const ImplicitSurface surface = surface_of("x^2 + y^2 + z^2 - 1.44", options_of(method, precise));
-      std::int64_t undecided = 0, hits_proved = 0, count = test::cases(25000, 250000);
+      std::int64_t undecided = 0, hits_proved = 0, count = test::cases(8000, 250000);
       for (std::int64_t n = 0; n < count; n += kStreamSize) {
         const auto s = random_streams(random);
         const HitStream hits = first_hits(surface, s->rays);
@@ -97,13 +107,15 @@ TEST_CASE("what is proved of a sphere is true, and little stays undecided", "[pr
 }
 
 TEST_CASE("every instruction set gives the same bits, whatever the formula") {
+  std::vector<Choice> all(std::begin(kProving), std::end(kProving));
+  all.insert(all.end(), std::begin(kMarching), std::end(kMarching));
   std::mt19937_64 random(2);
   for (const char* formula :
        {"x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8", "sin(3*x)*cos(2*y) - z/(x^2 + 0.1)",
         "min(abs(x) - 0.5, max(y, z^3 - exp(x)))", "if(x > y, sqrt(z) - 0.3, tan(z) + log(x + 2))"})
-    for (const char* method : {"interval", "affine"})
+    for (const Choice& method : all)
       for (const bool precise : {false, true}) {
-        INFO(formula << " " << method);
+        INFO(formula << " " << method.method << " " << method.key);
         ImplicitSurfaceOptions options = options_of(method, precise, Isa::scalar);
         options.iso = {0, 0.25};
         ImplicitSurface surface = surface_of(formula, options);
@@ -138,12 +150,12 @@ TEST_CASE("every instruction set gives the same bits, whatever the formula") {
 
 TEST_CASE("next_hit gives both crossings of nested spheres, in order, once") {
   std::mt19937_64 random(3);
-  for (const char* method : {"interval", "affine"}) {
+  for (const Choice& method : kProving) {
     ImplicitSurfaceOptions options = options_of(method, true);
     options.iso = {1, 0.25};
     const ImplicitSurface surface = surface_of("x^2 + y^2 + z^2", options);
     std::int64_t crossings = 0;
-    for (int round = 0; round < 10; ++round) {
+    for (int round = 0; round < 4; ++round) {
       const auto s = random_streams(random);
       HitStream hits = first_hits(surface, s->rays);
       TraceCounts counts;
@@ -161,7 +173,7 @@ TEST_CASE("next_hit gives both crossings of nested spheres, in order, once") {
         if (close || closer) continue;
         std::ranges::sort(expected);
         const auto& mine = found[static_cast<std::size_t>(i)];
-        INFO(method << " round " << round << " ray " << i);
+        INFO(method.method << " " << method.key << " round " << round << " ray " << i);
         REQUIRE(mine.size() == expected.size());
         for (std::size_t k = 0; k < mine.size(); ++k) {
           REQUIRE(mine[k].first == Approx(static_cast<double>(expected[k].first)).epsilon(1e-9));
@@ -170,12 +182,12 @@ TEST_CASE("next_hit gives both crossings of nested spheres, in order, once") {
         }
       }
     }
-    CHECK(crossings > 1000);
+    CHECK(crossings > 400);
   }
 }
 
 TEST_CASE("a ray that starts on the surface does not hit its start, but what lies behind") {
-  const ImplicitSurface surface = surface_of("x^2 + y^2 + z^2 - 1", options_of("affine"));
+  const ImplicitSurface surface = surface_of("x^2 + y^2 + z^2 - 1", options_of(kProving[2]));
   auto s = make_streams();
   add_ray(s->rays, {-1, 0, 0}, {1, 0, 0});   // inwards: the far side
   add_ray(s->rays, {-1, 0, 0}, {-1, 0, 0});  // outwards: nothing
@@ -189,7 +201,7 @@ TEST_CASE("a ray that starts on the surface does not hit its start, but what lie
 
 TEST_CASE("neither a pole nor a jump is a proved hit, nor a touch a proved miss") {
   const auto look = [](const std::string& formula, bool precise) {
-    const ImplicitSurface surface = surface_of(formula, options_of("affine", precise));
+    const ImplicitSurface surface = surface_of(formula, options_of(kProving[2], precise));
     auto s = make_streams();
     add_ray(s->rays, {-1.9, 0.3, 0.4}, {1, 0, 0});
     return first_hits(surface, s->rays);
@@ -212,7 +224,7 @@ TEST_CASE("neither a pole nor a jump is a proved hit, nor a touch a proved miss"
 }
 
 TEST_CASE("values and normals at hits are those of the formula") {
-  const ImplicitSurface surface = surface_of("x^2 + 2*y^2 + 3*z^2 - 1", options_of("affine", true));
+  const ImplicitSurface surface = surface_of("x^2 + 2*y^2 + 3*z^2 - 1", options_of(kProving[2], true));
   std::mt19937_64 random(5);
   const auto s = random_streams(random);
   const HitStream hits = first_hits(surface, s->rays);
@@ -231,6 +243,53 @@ TEST_CASE("values and normals at hits are those of the formula") {
   CHECK(seen > 20);
 }
 
+TEST_CASE("marching points find the sphere's crossings, prove nothing, and touch only where they may") {
+  std::mt19937_64 random(6);
+  for (const Choice& method : kMarching) {
+    INFO(method.method);
+    const ImplicitSurface surface = surface_of("x^2 + y^2 + z^2 - 1.44", options_of(method, true));
+    CHECK_FALSE(surface.proves());
+    int hits_seen = 0;
+    for (int round = 0; round < 8; ++round) {
+      const auto s = random_streams(random);
+      HitStream hits = first_hits(surface, s->rays);
+      for (int i = 0; i < s->rays.size; ++i) {
+        bool close = false;
+        const auto roots = sphere_roots(s->rays, i, 1.2L, close);
+        // two roots within a step, or a near miss of one, are what the methods may get wrong
+        const double d = length({s->rays.dx[i], s->rays.dy[i], s->rays.dz[i]});
+        if (roots.size() == 2 && (roots[1] - roots[0]) * d < 0.1) continue;
+        if (roots.empty()) continue;
+        REQUIRE(hits.t[i] == Approx(static_cast<double>(roots[0])).epsilon(1e-6));
+        CHECK(hits.certificate[i] == Certificate::no_proof);
+        ++hits_seen;
+      }
+      TraceCounts counts;
+      surface.next_hit(s->rays, hits, counts);
+      for (int i = 0; i < s->rays.size; ++i) {
+        bool close = false;
+        const auto roots = sphere_roots(s->rays, i, 1.2L, close);
+        const double d = length({s->rays.dx[i], s->rays.dy[i], s->rays.dz[i]});
+        if (roots.size() != 2 || (roots[1] - roots[0]) * d < 0.1) continue;
+        const double exit = static_cast<double>(roots[1]);
+        REQUIRE(hits.t[i] == Approx(exit).epsilon(1e-6));
+      }
+    }
+    CHECK(hits_seen > 300);
+  }
+  const auto look = [](const Choice& method, const char* formula, double offset) {
+    ImplicitSurfaceOptions options = options_of(method);
+    options.method.offset = offset;
+    auto s = make_streams();
+    add_ray(s->rays, {-1.9, 0.3, 0.4}, {1, 0, 0});
+    return first_hits(surface_of(formula, options), s->rays).t[0];
+  };
+  // the sign test misses what only touches zero, unless the surface is fattened; Taylor's finds it
+  CHECK(std::isinf(look(kMarching[0], "(x - 0.123)^2", 0)));
+  CHECK(look(kMarching[0], "(x - 0.123)^2", 0.01) == Approx(1.923).epsilon(1e-3));
+  CHECK(look(kMarching[1], "(x - 0.123)^2", 0) == Approx(2.023).epsilon(1e-2));
+}
+
 TEST_CASE("formulas and options that cannot be used are refused in one sentence") {
   ImplicitSurfaceOptions options;
   options.iso.assign(17, 0);
@@ -242,4 +301,5 @@ TEST_CASE("formulas and options that cannot be used are refused in one sentence"
   CHECK_THROWS_WITH(choose_formula_method("newton", {}), Catch::Contains("interval, affine"));
   CHECK_THROWS_WITH(choose_formula_method("interval", {{"trim", "1"}}),
                     Catch::Contains("it has: eps, eps-rel"));
+  CHECK_THROWS_WITH(choose_formula_method("affine", {{"bisection", "x"}}), Catch::Contains("one of: t, k"));
 }

@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+#include <isocast/implicit/automatic.h>
+#include <isocast/implicit/expression/simplify.h>
+
+#include <memory>
+
+namespace isocast {
+namespace {
+
+// Operations of one evaluation, in those of an interval's sum: what a profile of the kernels shows, roughly.
+double cost_of(const Tape& tape, FormulaMethod method) {
+  const bool affine = method == FormulaMethod::affine;
+  double cost = 0;
+  for (const Instruction& i : tape.code) {
+    switch (i.op) {
+      case Op::constant:
+      case Op::variable:
+      case Op::negate: break;
+      case Op::add:
+      case Op::subtract: cost += affine ? 2 : 1; break;
+      case Op::multiply: cost += 4; break;
+      case Op::square:
+      case Op::abs:
+      case Op::min:
+      case Op::max: cost += affine ? 3 : 1; break;
+      case Op::power:
+      case Op::chebyshev: cost += affine ? 20 : 8; break;
+      case Op::divide:
+      case Op::sqrt: cost += affine ? 30 : 8; break;
+      default: cost += affine ? 60 : 20;
+    }
+  }
+  return cost;
+}
+
+// Rays from points around the box to points inside it, low-discrepancy in both.
+void fill_probe(const Domain& domain, RayStream& rays) {
+  rays.size = kStreamSize;
+  rays.kind = RayKind::reflection;
+  const auto place = [](int n, double ratio) { return n * ratio - std::floor(n * ratio); };
+  for (int i = 0; i < kStreamSize; ++i) {
+    double o[3], d[3];
+    for (int a = 0; a < 3; ++a) {
+      constexpr double kRatios[6] = {0.8191725134, 0.6710436067, 0.5497004779, 0.4502995221, 0.3689, 0.3022};
+      const double edge = domain.hi[a] - domain.lo[a], middle = 0.5 * (domain.lo[a] + domain.hi[a]);
+      o[a] = middle + 4 * edge * (place(i + 1, kRatios[a]) - 0.5);
+      d[a] = domain.lo[a] + edge * place(i + 1, kRatios[3 + a]) - o[a];
+    }
+    rays.ox[i] = o[0], rays.oy[i] = o[1], rays.oz[i] = o[2];
+    rays.dx[i] = d[0], rays.dy[i] = d[1], rays.dz[i] = d[2];
+    rays.t_min[i] = 0;
+    rays.t_max[i] = __builtin_inf();
+    rays.start_object[i] = kNoObject;
+  }
+}
+
+}  // namespace
+
+AutomaticMethod choose_automatically(const Expression& expression, const Domain& domain,
+                                     ImplicitSurfaceOptions options) {
+  const auto rays = std::make_unique<RayStream>();
+  const auto hits = std::make_unique<HitStream>();
+  fill_probe(domain, *rays);
+  const Tape tape = make_tape(simplify(expression));
+  double work[2], evaluations[2];
+  for (const FormulaMethod method : {FormulaMethod::interval, FormulaMethod::affine}) {
+    options.method.method = method;
+    const ImplicitSurface surface(expression, domain, options);
+    TraceCounts counts;
+    clear(*hits);
+    surface.first_hit(*rays, *hits, counts);
+    const auto i = static_cast<std::size_t>(method);
+    evaluations[i] = static_cast<double>(counts.evaluations) / kStreamSize;
+    work[i] = evaluations[i] * cost_of(tape, method);
+  }
+  const auto chosen = work[0] < work[1] ? FormulaMethod::interval : FormulaMethod::affine;
+  return {chosen,
+          fmt::format("on {} rays through the domain interval takes {:.1f} evaluations a ray and affine "
+                      "{:.1f}, with the cost of their operations {:.0f} against {:.0f}",
+                      kStreamSize, evaluations[0], evaluations[1], work[0], work[1])};
+}
+
+}  // namespace isocast

@@ -1,0 +1,18 @@
+// The method for a formula when nobody chose one.
+#pragma once
+
+#include <isocast/implicit/implicit_surface.h>
+
+namespace isocast {
+
+struct AutomaticMethod {
+  FormulaMethod method;
+  std::string reason;
+};
+/// interval or affine, whichever needs fewer operations for a fixed set of rays through the domain: its
+/// evaluations of the tape, each counted by the cost of the tape's operations in that arithmetic. Time is not
+/// measured, so the choice is the same everywhere. `options` as for the surface; its method is not used.
+[[nodiscard]] AutomaticMethod choose_automatically(const Expression& expression, const Domain& domain,
+                                                   ImplicitSurfaceOptions options);
+
+}  // namespace isocast

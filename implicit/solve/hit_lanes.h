@@ -1,0 +1,76 @@
+// Hits of a stream side by side, to work on their brackets.
+#pragma once
+
+#include <isocast/implicit/solve/inclusion.h>
+#include <isocast/implicit/solve/segment.h>
+#include <isocast/implicit/solve/slots.h>
+
+namespace isocast::inline ISO_ISA {
+
+/// Up to kSlots rays as lanes; the last pack is filled up with the last ray.
+template <Real R> struct HitLanes {
+  using T = Scalar<R>;
+  static constexpr int kPacks = kSlots / kWidth<R>;
+
+  int rays[kSlots], count = 0, packs = 0;
+  R e[3][kPacks], d[3][kPacks], s[kPacks], lo[kPacks], hi[kPacks], iso[kPacks];
+
+  /// Takes those of the stream's hits that are wanted, kSlots at a time, and calls work(lanes), which may
+  /// change s, lo and hi.
+  template <class Wanted, class Work>
+  ISO_HD static void each(const FormulaQuery<T>& query, const SegmentStream<T>& stream,
+                          SegmentRoots<T>& roots, Wanted wanted, Work work) {
+    HitLanes lanes;
+    for (int i = 0; i < stream.size; ++i) {
+      if (stream.active[i] && roots.hit[i] && wanted(i)) lanes.rays[lanes.count++] = i;
+      if (lanes.count == 0 || (lanes.count < kSlots && i + 1 < stream.size)) continue;
+      lanes.gather(query, stream, roots);
+      work(lanes);
+      lanes.scatter(roots);
+      lanes.count = 0;
+    }
+  }
+
+  /// The tape at the points s of all lanes.
+  template <class Kind> ISO_HD const Kind* evaluate(const FormulaQuery<T>& query, void* registers) const {
+    Kind inputs[4 * kPacks];
+    for (int p = 0; p < packs; ++p) {
+      const RayPart<R> point(s[p], s[p]);
+      for (int a = 0; a < 3; ++a) point.coordinate(e[a][p], d[a][p], R(0), a, inputs[a * kPacks + p]);
+      inputs[3 * kPacks + p] = Kind(R(static_cast<T>(query.time)));
+    }
+    return evaluate_some<kPacks>(query.tape, static_cast<const Kind*>(inputs), static_cast<Kind*>(registers),
+                                 packs);
+  }
+
+ private:
+  ISO_HD void gather(const FormulaQuery<T>& query, const SegmentStream<T>& stream,
+                     const SegmentRoots<T>& roots) {
+    packs = (count + kWidth<R> - 1) / kWidth<R>;
+    const auto fill = [this](R* out, auto value_of) {
+      T values[kSlots];
+      for (int l = 0; l < packs * kWidth<R>; ++l) values[l] = value_of(rays[l < count ? l : count - 1]);
+      for (int p = 0; p < packs; ++p) out[p] = load<R>(values + p * kWidth<R>);
+    };
+    for (int a = 0; a < 3; ++a) {
+      fill(e[a], [&](int i) { return stream.e[a][i]; });
+      fill(d[a], [&](int i) { return stream.d[a][i]; });
+    }
+    fill(s, [&](int i) { return roots.s[i]; });
+    fill(lo, [&](int i) { return roots.s_lo[i]; });
+    fill(hi, [&](int i) { return roots.s_hi[i]; });
+    fill(iso, [&](int i) { return query.iso_lo[roots.iso[i]]; });
+  }
+  ISO_HD void scatter(SegmentRoots<T>& roots) const {
+    for (int l = 0; l < count; ++l) {
+      T values[3][kWidth<R>];
+      store(values[0], s[l / kWidth<R>]), store(values[1], lo[l / kWidth<R>]),
+          store(values[2], hi[l / kWidth<R>]);
+      roots.s[rays[l]] = values[0][l % kWidth<R>];
+      roots.s_lo[rays[l]] = values[1][l % kWidth<R>];
+      roots.s_hi[rays[l]] = values[2][l % kWidth<R>];
+    }
+  }
+};
+
+}  // namespace isocast::inline ISO_ISA
