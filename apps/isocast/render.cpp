@@ -1,7 +1,6 @@
 // isocast render: a picture of the iso-surfaces of a volume or a formula.
 #include <fmt/format.h>
-#include <isocast/apps/isocast/formula_input.h>
-#include <isocast/apps/isocast/parse_values.h>
+#include <isocast/apps/isocast/render_words.h>
 #include <isocast/apps/isocast/stats.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/apps/isocast/volume_options.h>
@@ -16,7 +15,6 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
-#include <optional>
 
 namespace isocast::verbs {
 namespace {
@@ -25,108 +23,6 @@ using Clock = std::chrono::steady_clock;
 
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-// The command line as it was typed.
-struct Words {
-  std::string input, output, iso, iso_sweep, colors, method = "auto", size = "1024x1024", isa = "auto",
-                                                     precision = "float";
-  std::string position, target, up, fov, ortho, normals = "gradient", light, aov, stats;
-  std::string domain, time;
-  std::vector<std::string> set, params;
-  bool shadows = false;
-  int spp = 1, threads = 0;
-  ReadOptions read;
-};
-
-std::optional<Double3> parse_vector(const std::string& text, const char* option) {
-  if (text.empty()) return std::nullopt;
-  const std::vector<double> v = parse_numbers(text, option);
-  if (v.size() != 3) throw InputError(fmt::format("{} {}: expected three numbers X,Y,Z", option, text));
-  return Double3{v[0], v[1], v[2]};
-}
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
-std::array<int, 2> parse_size(const std::string& text) {
-  const std::vector<std::string> parts = split(text, 'x');
-  constexpr double kLargest = 32768;
-  if (parts.size() == 2) {
-    const double w = parse_number(parts[0], "--size"), h = parse_number(parts[1], "--size");
-    if (w >= 1 && h >= 1 && w <= kLargest && h <= kLargest && w == std::floor(w) && h == std::floor(h))
-      return {static_cast<int>(w), static_cast<int>(h)};
-  }
-  throw InputError(
-      fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each from 1 to {}", text, kLargest));
-}
-
-// The iso-values of every frame: one frame of all of --iso, or one value a frame.
-std::vector<std::vector<double>> parse_frames(const Words& words) {
-  const std::vector<double> iso =
-      words.iso.empty() ? std::vector<double>{} : parse_numbers(words.iso, "--iso");
-  if (words.iso_sweep.empty()) return {iso};
-  if (!iso.empty()) throw InputError("--iso and --iso-sweep exclude each other");
-  const std::vector<std::string> parts = split(words.iso_sweep, ':');
-  const double n = parts.size() == 3 ? parse_number(parts[2], "--iso-sweep") : 0;
-  if (!(n >= 1 && n <= 100000 && n == std::floor(n)))
-    throw InputError(fmt::format("--iso-sweep {}: expected FROM:TO:COUNT", words.iso_sweep));
-  const double from = parse_number(parts[0], "--iso-sweep"), to = parse_number(parts[1], "--iso-sweep");
-  std::vector<std::vector<double>> frames;
-  for (int i = 0; i < n; ++i) frames.push_back({n == 1 ? from : from + (to - from) * i / (n - 1)});
-  return frames;
-}
-
-std::variant<VolumeSource, FormulaSource> find_source(const Words& words) {
-  FormulaRequest request{words.input, parse_parameters(words.params, "--param"), {}};
-  if (is_volume_file(words.input, request.parameters)) {
-    if (!words.params.empty() || !words.domain.empty() || !words.time.empty())
-      throw InputError("found --param, --domain or --time for a volume, expected them for a formula");
-    return VolumeSource{words.input, words.read};
-  }
-  if (words.normals == "difference")
-    throw InputError("found --normals difference for a formula, whose gradient is exact");
-  if (!words.domain.empty()) request.domain = parse_domain(words.domain, "--domain");
-  FormulaInput input = read_formula(request);
-  return FormulaSource{std::move(input.expression), input.domain,
-                       words.time.empty() ? 0 : parse_number(words.time, "--time")};
-}
-
-SceneDescription describe(const Words& words) {
-  SceneDescription scene;
-  ObjectDescription& object = scene.object;
-  object.source = find_source(words);
-  object.method = words.method;
-  for (const std::string& word : words.set) object.settings.insert(parse_key_value(word, "--set"));
-  if (!words.colors.empty())
-    for (const std::string& color : split(words.colors, ',')) object.colors.push_back(color_from_hex(color));
-  object.normals = words.normals == "difference" ? NormalKind::difference : NormalKind::gradient;
-  scene.camera = {parse_vector(words.position, "--camera-position"),
-                  parse_vector(words.target, "--camera-target"), parse_vector(words.up, "--camera-up"),
-                  std::nullopt, std::nullopt};
-  if (!words.fov.empty()) scene.camera.fov = parse_number(words.fov, "--fov");
-  if (!words.ortho.empty()) scene.camera.ortho_height = parse_number(words.ortho, "--ortho");
-  scene.light = parse_vector(words.light, "--light");
-  if (scene.light && length(*scene.light) == 0)
-    throw InputError("--light 0,0,0: expected a direction towards the light");
-  scene.shadows = words.shadows;
-  return scene;
-}
-
-std::vector<Layer> parse_layers(const Words& words, bool exr) {
-  std::vector<Layer> layers;
-  if (words.aov.empty()) return layers;
-  if (!exr)
-    throw InputError(fmt::format("--aov {}: layers need an .exr file, {} is none", words.aov, words.output));
-  for (const std::string& name : split(words.aov, ',')) { layers.push_back(layer_from_name(name)); }
-  return layers;
 }
 
 // out.png -> out_0003.png when there are several frames
@@ -141,7 +37,7 @@ void write_stats(const std::string& where, const std::string& text) {
   else write_text_file(where, text);
 }
 
-void run(const Words& words) {
+void run(const RenderWords& words) {
   const Clock::time_point start = Clock::now();
   const std::string extension = fs::path(words.output).extension().string();
   const bool exr = extension == ".exr";
@@ -169,8 +65,10 @@ void run(const Words& words) {
   const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
   RenderSettings settings;
   settings.spp = words.spp;
+  settings.transparency_depth = words.transparency_depth;
+  settings.reflections = words.reflections;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (i > 0) built.set_iso(frames[i], description.object.colors);
+    if (i > 0) built.set_iso(frames[i], description.object.materials);
     Film film(width, height, layers);
     const Clock::time_point render_start = Clock::now();
     RenderCounts counts;
@@ -208,7 +106,7 @@ void run(const Words& words) {
 void add_render(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "render", "Pictures of iso-surfaces of a volume or a formula: PNG, or EXR with layers");
-  const auto w = std::make_shared<Words>();
+  const auto w = std::make_shared<RenderWords>();
   verb->add_option("INPUT", w->input,
                    "A volume file, a formula of x y z w, a .vm tape, or @id of the catalogue")
       ->required();
@@ -219,6 +117,9 @@ void add_render(CLI::App& app) {
   verb->add_option("--iso-sweep", w->iso_sweep,
                    "FROM:TO:COUNT, a frame per value: OUT_0000.png, OUT_0001.png, ...");
   verb->add_option("--colors", w->colors, "A colour per iso-value: #rrggbb[,#rrggbb...]");
+  verb->add_option("--opacity", w->opacity, "0 to 1 per iso-value, A[,A...] (default 1)");
+  verb->add_option("--reflectivity", w->reflectivity,
+                   "The mirrored share of the colour per iso-value, 0 to 1, R[,R...] (default 0)");
   verb->add_option("--param", w->params, "A parameter of the formula, such as a=2")
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
@@ -238,9 +139,22 @@ void add_render(CLI::App& app) {
   CLI::Option* fov = verb->add_option("--fov", w->fov, "Vertical field of view in degrees (default 45)");
   verb->add_option("--ortho", w->ortho, "Orthographic camera: height of the picture in world units")
       ->excludes(fov);
-  verb->add_option("--light", w->light,
-                   "X,Y,Z: direction towards a directional light (default: a headlight)");
-  verb->add_flag("--shadows", w->shadows, "Hard shadows of the directional light");
+  verb->add_option("--light", w->lights,
+                   "X,Y,Z: direction towards a directional light; up to 8 times, n lights have 1/n of the "
+                   "strength each (default: a headlight)")
+      ->allow_extra_args(false);
+  verb->add_flag("--shadows", w->shadows,
+                 "Hard shadows of the directional lights; what is not opaque lets light through");
+  verb->add_option(
+          "--transparency-depth", w->transparency_depth,
+          "Crossings that a ray passes; where more lie behind, the last counts as opaque (default 4)")
+      ->check(CLI::Range(1, 64));
+  verb->add_option("--reflections", w->reflections,
+                   "How often a ray is mirrored where --reflectivity says so (default 1)")
+      ->check(CLI::Range(0, 16));
+  verb->add_option("--environment", w->environment,
+                   "Picture of all directions (longitude by latitude, z up; .exr .hdr .png .jpg), seen where "
+                   "nothing is hit and in reflections (default: white)");
   verb->add_option("--normals", w->normals,
                    "gradient (of the cell, exact) or difference (central differences, smooth)")
       ->check(CLI::IsMember({"gradient", "difference"}));

@@ -33,9 +33,11 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
   stats["memory_mb"] = {{"peak", static_cast<double>(usage.ru_maxrss) * 1024 / kMega},
                         {"volume", static_cast<double>(r.built.volume_bytes) / kMega},
                         {"acceleration", static_cast<double>(r.built.acceleration_bytes) / kMega}};
-  const std::int64_t rays = r.counts.primary + r.counts.shadow;
-  stats["rays"] = {
-      {"primary", r.counts.primary}, {"shadow", r.counts.shadow}, {"reflection", 0}, {"transparency", 0}};
+  const std::int64_t rays = r.counts.primary + r.counts.shadow + r.counts.reflection + r.counts.transparency;
+  stats["rays"] = {{"primary", r.counts.primary},
+                   {"shadow", r.counts.shadow},
+                   {"reflection", r.counts.reflection},
+                   {"transparency", r.counts.transparency}};
   stats["mrays_per_s"] = static_cast<double>(rays) / (1000 * r.render_ms);
   stats["counts"] = {{"cells", r.counts.trace.cells},   {"macrocells", r.counts.trace.macrocells},
                      {"solves", r.counts.trace.solves}, {"evaluations", r.counts.trace.evaluations},

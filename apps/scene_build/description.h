@@ -25,30 +25,37 @@ struct FormulaSource {
   double time = 0;
 };
 
+/// Each list is repeated over the iso-values. Empty: the default palette, opaque, without reflections.
+struct MaterialDescription {
+  std::vector<Color> colors;
+  std::vector<double> opacities, reflectivities;
+};
+
 /// Iso-surfaces of a volume (`iso` in the file's scaled units; empty: the best of suggested_iso) or of a
-/// formula in a box (empty: 0). `colors` are repeated over the iso-values; empty: the default palette.
-/// `normals` are a volume's.
+/// formula in a box (empty: 0). `normals` are a volume's.
 struct ObjectDescription {
   std::variant<VolumeSource, FormulaSource> source;
   std::vector<double> iso;
-  std::vector<Color> colors;
+  MaterialDescription materials;
   std::string method = "auto";
   std::map<std::string, std::string> settings;
   NormalKind normals = NormalKind::gradient;
 };
 
-/// A scene of one object, its light, and what is fixed of its camera.
+/// A scene of one object, its lights and environment (a picture of all directions; empty: none), and what is
+/// fixed of its camera.
 struct SceneDescription {
   ObjectDescription object;
   CameraWishes camera;
-  std::optional<Double3> light;
+  std::vector<Double3> lights;
   bool shadows = false;
+  std::filesystem::path environment;
 };
 
 /// "#rrggbb", sRGB, as linear RGB; throws InputError for anything else.
 [[nodiscard]] Color color_from_hex(const std::string& text);
 
-/// The colour of iso-value i where none is given.
-[[nodiscard]] Color default_color(std::size_t i);
+/// The material of iso-value i.
+[[nodiscard]] Material material_of(const MaterialDescription& description, std::size_t i);
 
 }  // namespace isocast

@@ -3,6 +3,7 @@
 #include <isocast/base/error.h>
 #include <isocast/base/mapped_file.h>
 #include <isocast/implicit/automatic.h>
+#include <isocast/render/environment_file.h>
 #include <isocast/volume/statistics.h>
 
 #include <chrono>
@@ -103,21 +104,21 @@ void build(BuiltScene& built, const FormulaSource& source, const ObjectDescripti
 
 }  // namespace
 
-void BuiltScene::set_iso(const std::vector<double>& values, const std::vector<Color>& colors) {
+void BuiltScene::set_iso(const std::vector<double>& values, const MaterialDescription& materials) {
   iso = values;
   move_surface(iso);
   SceneObject& object = scene.objects.front();
-  object.colors.clear();
-  for (std::size_t i = 0; i < iso.size(); ++i)
-    object.colors.push_back(colors.empty() ? default_color(i) : colors[i % colors.size()]);
+  object.materials.clear();
+  for (std::size_t i = 0; i < iso.size(); ++i) object.materials.push_back(material_of(materials, i));
 }
 
 BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings) {
   BuiltScene built;
   const ObjectDescription& object = description.object;
+  if (!description.environment.empty()) built.scene.environment = read_environment(description.environment);
   std::visit([&](const auto& source) { build(built, source, object, settings); }, object.source);
-  built.set_iso(built.iso, object.colors);
-  built.scene.light = description.light;
+  built.set_iso(built.iso, object.materials);
+  built.scene.lights = description.lights;
   built.scene.shadows = description.shadows;
   return built;
 }

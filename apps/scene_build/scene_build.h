@@ -28,7 +28,7 @@ struct BuiltScene {
   std::function<void(const std::vector<double>& iso)> move_surface;
 
   /// Moves the surfaces to other iso-values (the file's scaled units); nothing is rebuilt.
-  void set_iso(const std::vector<double>& iso, const std::vector<Color>& colors);
+  void set_iso(const std::vector<double>& iso, const MaterialDescription& materials);
 };
 
 /// Opens and builds what the description names and nothing else. Throws InputError for files, methods and

@@ -1,21 +1,40 @@
 #include <fmt/format.h>
 #include <isocast/render/features.h>
 
+#include <algorithm>
+
 namespace isocast {
+namespace {
+
+template <class Test> bool any_material(const Scene& scene, Test test) {
+  return std::ranges::any_of(
+      scene.objects, [&](const SceneObject& object) { return std::ranges::any_of(object.materials, test); });
+}
+
+}  // namespace
 
 Features find_features(const Scene& scene, const Film& film, const RenderSettings& settings) {
   Features f;
   f.shade = settings.colors;
-  f.shadows = settings.colors && scene.shadows && scene.light.has_value();
-  f.first_sample = {settings.colors || film.has(Layer::normal), f.shadows || film.has(Layer::position),
+  f.shadows = settings.colors && scene.shadows && !scene.lights.empty();
+  f.transparency = settings.colors && any_material(scene, [](const Material& m) { return m.opacity < 1; });
+  if (settings.colors && any_material(scene, [](const Material& m) { return m.reflectivity > 0; }))
+    f.reflections = settings.reflections;
+  f.first_sample = {settings.colors || film.has(Layer::normal), film.has(Layer::position),
                     film.has(Layer::value)};
-  f.other_samples = {settings.colors, f.shadows, false};
+  f.other_samples = {settings.colors, false, false};
 
   const auto list = [&](bool needed, std::string name) {
     (needed ? f.used : f.left_out).push_back(std::move(name));
   };
   list(f.shade, "shading");
+  list(!scene.lights.empty(),
+       scene.lights.empty() ? "lights" : fmt::format("lights:{}", scene.lights.size()));
   list(f.shadows, "shadows");
+  list(f.transparency,
+       f.transparency ? fmt::format("transparency:{}", settings.transparency_depth) : "transparency");
+  list(f.reflections > 0, f.reflections > 0 ? fmt::format("reflections:{}", f.reflections) : "reflections");
+  list(scene.environment != nullptr, "environment");
   list(f.first_sample.normal, "normals");
   list(f.first_sample.position, "positions");
   list(f.first_sample.value, "values");

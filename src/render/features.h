@@ -9,14 +9,21 @@
 
 namespace isocast {
 
-/// How a picture is shaded. `colors` false: only layers are wanted, nothing is shaded.
+/// How a picture is shaded.
+///
+/// spp                 samples per pixel
+/// colors              false: only layers are wanted, nothing is shaded
+/// transparency_depth  crossings that a ray passes, at least 1; the last counts as opaque if more follow
+/// reflections         how often a ray is mirrored
 struct RenderSettings {
   int spp = 1;
   bool colors = true;
+  int transparency_depth = 4, reflections = 1;
 };
 
 struct Features {
-  bool shade = false, shadows = false;
+  bool shade = false, shadows = false, transparency = false;
+  int reflections = 0;
   DressWishes first_sample,
       other_samples;  // what the hits of the first sample of a pixel must offer, and of the others
   std::vector<std::string> used, left_out;  // for --stats

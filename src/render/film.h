@@ -18,10 +18,10 @@ inline constexpr int kLayerCount = 8;
 /// Throws InputError for an unknown name, listing those that exist.
 [[nodiscard]] Layer layer_from_name(std::string_view name);
 
-/// Row-major, first row on top, float. Colour is linear RGBA, composited over the background (alpha 1 where
-/// something was hit). Where a ray hits nothing: depth and z are +inf, the other layers 0. id is 1 + the
-/// number of the iso-value, counted over all objects; depth is the distance along the ray, z along the view
-/// axis, both in world units.
+/// Row-major, first row on top, float. Colour is linear RGBA, composited over the background or the
+/// environment; alpha is the share that surfaces keep out of these. Where a ray hits nothing: depth and z are
+/// +inf, the other layers 0. id is 1 + the number of the iso-value, counted over all objects; depth is the
+/// distance along the ray, z along the view axis, both in world units.
 class Film {
  public:
   Film(int width, int height, const std::vector<Layer>& layers);

@@ -5,10 +5,10 @@
 #include <isocast/base/output_file.h>
 #include <isocast/render/image_file.h>
 #include <isocast/render/image_module.h>
+#include <isocast/scene/srgb.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace isocast {
 namespace {
@@ -17,14 +17,30 @@ const ImageModule& image_module(const std::filesystem::path& path) {
   return module_table<ImageModule>("image", fmt::format("the picture {}", path.string()));
 }
 
-// The linear values half-way between two neighbouring codes, from the sRGB transfer function (IEC 61966-2-1).
+// The linear values half-way between two neighbouring codes.
 std::array<double, 255> srgb_steps() {
   std::array<double, 255> steps;
-  for (int code = 0; code < 255; ++code) {
-    const double coded = (code + 0.5) / 255;
-    steps[code] = coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
-  }
+  for (int code = 0; code < 255; ++code) steps[code] = linear_from_srgb((code + 0.5) / 255);
   return steps;
+}
+
+// A format that is read, by the extension of its files, and whether its samples are sRGB codes.
+struct Format {
+  std::string_view extension;
+  const char* name;
+  bool coded;
+};
+constexpr Format kFormats[] = {{".exr", "openexr", false},
+                               {".hdr", "hdr", false},
+                               {".png", "png", true},
+                               {".jpg", "jpeg", true},
+                               {".jpeg", "jpeg", true}};
+constexpr const Format& kExr = kFormats[0];
+constexpr std::int64_t kMostExrPixels = std::int64_t(1) << 30, kMostPixels = std::int64_t(1) << 27;
+
+Image read(const std::filesystem::path& path, const Format& format, std::int64_t most_pixels) {
+  (void)map_file(path);  // says what is wrong with a file that is missing or may not be read
+  return image_module(path).read(format.name, path.string(), most_pixels);
 }
 
 }  // namespace
@@ -69,9 +85,18 @@ void write_exr(const std::filesystem::path& path, int width, int height,
   write_text_file(path, image_module(path).encode_exr(path.string(), width, height, layers));
 }
 
-Image read_exr(const std::filesystem::path& path) {
-  (void)map_file(path);  // says what is wrong with a file that is missing or may not be read
-  return image_module(path).read_exr(path.string());
+Image read_exr(const std::filesystem::path& path) { return read(path, kExr, kMostExrPixels); }
+
+Image read_image(const std::filesystem::path& path) {
+  const auto format = std::ranges::find(kFormats, path.extension().string(), &Format::extension);
+  if (format == std::end(kFormats))
+    throw InputError(fmt::format("the picture {}: expected a name that ends with .exr, .hdr, .png or .jpg",
+                                 path.string()));
+  Image image = read(path, *format, kMostPixels);
+  const auto alpha = static_cast<std::size_t>(image.channel("A")), stride = image.channels.size();
+  for (std::size_t i = 0; format->coded && i < image.pixels.size(); ++i)
+    if (i % stride != alpha) image.pixels[i] = static_cast<float>(linear_from_srgb(image.pixels[i]));
+  return image;
 }
 
 }  // namespace isocast

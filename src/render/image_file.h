@@ -50,4 +50,8 @@ void write_exr(const std::filesystem::path& path, int width, int height,
 /// InputError.
 [[nodiscard]] Image read_exr(const std::filesystem::path& path);
 
+/// The same for a file that ends with .exr, .hdr, .png, .jpg or .jpeg, of at most 2^27 pixels, with linear
+/// values: the samples of the last three are sRGB codes.
+[[nodiscard]] Image read_image(const std::filesystem::path& path);
+
 }  // namespace isocast

@@ -62,8 +62,8 @@ std::string encode_exr(const std::string& target, int width, int height,
   return encode(target, "openexr", spec, pixels.data());
 }
 
-Image read_exr(const std::string& path) {
-  const auto input = OIIO::ImageInput::create("openexr");
+Image read(const char* format, const std::string& path, std::int64_t most_pixels) {
+  const auto input = OIIO::ImageInput::create(format);
   if (!input) fail("read", path, OIIO::geterror());
   OIIO::ImageSpec spec;
   if (!input->open(path, spec)) fail("read", path, input->geterror());
@@ -73,6 +73,11 @@ Image read_exr(const std::string& path) {
     fail("read", path,
          "it has " + std::to_string(spec.width) + "x" + std::to_string(spec.height) + " pixels of " +
              std::to_string(spec.nchannels) + " channels, at most 32768x32768 of 64 were expected");
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 ||
+      std::int64_t(spec.width) * spec.height > most_pixels)
+    fail("read", path,
+         "it has " + std::to_string(spec.width) + "x" + std::to_string(spec.height) + " pixels, 1 to " +
+             std::to_string(most_pixels) + " in one plane were expected");
 
   // Memory grows with the rows that are really there, not with the header's word.
   Image image{spec.width, spec.height, spec.channelnames, {}};
@@ -87,7 +92,7 @@ Image read_exr(const std::string& path) {
   return image;
 }
 
-constexpr ImageModule kTable = {encode_png, encode_exr, read_exr};
+constexpr ImageModule kTable = {encode_png, encode_exr, read};
 
 }  // namespace
 }  // namespace isocast

@@ -1,14 +1,20 @@
 // From a dressed hit to a colour.
 #pragma once
 
-#include <isocast/scene/scene.h>
+#include <isocast/render/shadows.h>
 
 namespace isocast {
 
-/// Blinn and Phong's model with one white light: 15 % ambient, 75 % diffuse, a weak highlight. All vectors
-/// have unit length: `normal` faces the viewer, `to_light` and `to_eye` point away from the surface. `lit`
-/// false: in shadow, ambient only.
-[[nodiscard]] Color shade(const Color& surface, const Double3& normal, const Double3& to_light,
-                          const Double3& to_eye, bool lit);
+/// Blinn and Phong's model, in two parts: 15 % ambient; of each white light 75 % diffuse and a weak
+/// highlight. All vectors have unit length: `normal` faces the viewer, `to_light` and `to_eye` point away
+/// from the surface.
+[[nodiscard]] Color ambient(const Color& surface);
+[[nodiscard]] Color lit(const Color& surface, const Double3& normal, const Double3& to_light,
+                        const Double3& to_eye);
+
+/// The colour of every hit of a wave, without what it mirrors. n lights have 1/n of the strength each, so
+/// that they never overexpose together; without lights a headlight shines along every ray.
+void shade(const Frame& frame, const Wave& wave, Shadows& shadows, Color (&colors)[kStreamSize],
+           RenderCounts& counts);
 
 }  // namespace isocast

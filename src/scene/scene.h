@@ -1,33 +1,36 @@
-// What is rendered: surfaces with their materials, light and background.
+// What is rendered: surfaces with their materials, lights and background.
 #pragma once
 
 #include <isocast/math/box.h>
 #include <isocast/ray/surface.h>
+#include <isocast/scene/environment.h>
+#include <isocast/scene/material.h>
 
-#include <array>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace isocast {
 
-/// Linear RGB.
-using Color = std::array<float, 3>;
-
-/// One surface and the colour of each of its iso-values.
+/// One surface and the material of each of its iso-values.
 struct SceneObject {
   std::shared_ptr<const Surface> surface;
-  std::vector<Color> colors;
+  std::vector<Material> materials;
 };
 
-/// light     direction towards a directional light, world space, any length; none: a headlight at the camera
-/// shadows   hard shadows of the directional light (a headlight casts none that the camera sees)
+/// lights       directions towards directional lights, world space, any length; none: a headlight, which
+///              shines along every ray
+/// shadows      hard shadows of the directional lights (a headlight casts none that the camera sees)
+/// environment  what is seen where nothing is hit; none: the background
 struct Scene {
   std::vector<SceneObject> objects;
-  std::optional<Double3> light;
+  std::vector<Double3> lights;
   bool shadows = false;
+  std::shared_ptr<const Environment> environment;
   Color background = {1, 1, 1};
 
+  [[nodiscard]] Color color_towards(const Double3& direction) const {
+    return environment ? environment->towards(direction) : background;
+  }
   [[nodiscard]] Box bounds() const {
     Box box;
     for (const SceneObject& object : objects) box.add(object.surface->bounds());

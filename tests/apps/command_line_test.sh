@@ -38,6 +38,9 @@ expect 0 '"default"' methods --json
 expect 0 '"barth_sextic"' surfaces --json
 expect 0 '"left_out"' render tangle.nrrd --iso 0 --size 64x48 -o tangle.png --stats -
 expect 0 "" render gyroid_33x33x33_uint8.raw --size 64x48 --iso 100,140 --colors '#ff0000,#00ff00' --ortho 40 -o gyroid.png
+expect 0 '"transparency:4"' render tangle.nrrd --iso 0,3 --opacity 0.4,0.8 --size 64x48 -o clear.png --stats -
+expect 0 '"reflections:1"' render tangle.nrrd --iso 0 --reflectivity 0.5 --environment clear.png --size 64x48 -o mirror.png --stats -
+expect 0 '"lights:3"' render tangle.nrrd --iso 0 --light 1,0,0 --light -1,0,0 --light 0,0,1 --size 64x48 -o lights.png --stats -
 
 # mistakes
 expect 2 "is no verb" paint
@@ -63,6 +66,14 @@ expect 2 "formula:1:5" render "x^2+" -o a.png
 expect 2 "parameter" render @sphere --param none=1 -o a.png
 expect 2 "expected them for a formula" render tangle.nrrd --time 1 -o a.png
 expect 2 "interval, affine" render "x^2-1" --method marmitt -o a.png
+expect 2 "--opacity: found 1.5, expected numbers from 0 to 1" render tangle.nrrd --opacity 0.5,1.5 -o a.png
+expect 2 "--reflectivity: found 'much'" render tangle.nrrd --reflectivity much -o a.png
+expect 2 "not in range 1 to 64" render tangle.nrrd --transparency-depth 0 -o a.png
+expect 2 "not in range 0 to 16" render tangle.nrrd --reflections 17 -o a.png
+expect 2 "expected a direction" render tangle.nrrd --light 0,0,0 -o a.png
+expect 2 "found 9 lights, expected at most 8" render tangle.nrrd --light={1,2,3,4,5,6,7,8,9},0,0 -o a.png
+expect 2 "sky.exr: No such file" render tangle.nrrd --environment sky.exr -o a.png
+expect 2 "ends with .exr, .hdr, .png or .jpg" render tangle.nrrd --environment tangle.nrrd -o a.png
 expect 2 "suite" bench everything -o bench
 [[ -e a.png || -e a.exr ]] && fail "a failed run left a picture"
 
@@ -92,6 +103,14 @@ done
 for threads in 2 7; do
   "$program" "${picture[@]}" --threads "$threads" -o a.exr && cmp expected.exr a.exr || fail "another picture with $threads threads"
   "$program" render tangle.nrrd --size 70x50 --threads "$threads" -o a.png && cmp expected.png a.png || fail "another picture with $threads threads"
+done
+
+# and so with transparency, reflections, several lights and an environment, of a formula
+picture=(render @tangle --iso 0,2 --size 70x50 --light 1,-1,2 --light -1,0,1 --shadows --opacity 0.4,0.7 --reflectivity 0.3 --reflections 2 --environment clear.png)
+"$program" "${picture[@]}" --isa scalar --threads 1 -o expected.exr || fail "no picture"
+for isa in sse4 avx2 avx512; do
+  "$program" "${picture[@]}" --isa "$isa" --threads 7 -o a.exr 2>err.txt || { grep -q "lacks it" err.txt && continue; }
+  cmp expected.exr a.exr || fail "another picture with $isa"
 done
 
 # Ctrl-C: exit code 130, nothing half written, what was there stays

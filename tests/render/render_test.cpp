@@ -44,7 +44,8 @@ struct Setup {
 Setup make_scene(double (*f)(std::int64_t, std::int64_t, std::int64_t), const VolumeSurfaceOptions& options) {
   Setup s;
   s.surface = std::make_shared<VolumeSurface>(make_volume({kN, kN, kN}, SampleType::f32, f), options);
-  s.scene.objects.push_back({s.surface, std::vector<Color>(options.iso.size(), Color{0.8f, 0.5f, 0.3f})});
+  s.scene.objects.push_back(
+      {s.surface, std::vector<Material>(options.iso.size(), {.color = {0.8f, 0.5f, 0.3f}})});
   return s;
 }
 
@@ -69,7 +70,7 @@ TEST_CASE("the same bytes for every number of threads and every instruction set"
   VolumeSurfaceOptions options = surface_options(0, Isa::scalar);
   options.iso = {0, 3};
   Setup s = make_scene(tangle, options);
-  s.scene.light = Double3{1, -2, 2};
+  s.scene.lights = {{1, -2, 2}};
   s.scene.shadows = true;
   const View view = make_view(s.scene, 97, 75);
   RenderSettings settings;
@@ -138,7 +139,7 @@ TEST_CASE("depth, normal, position and z of a sphere are those of the sphere") {
 
 TEST_CASE("a convex body casts no shadow on itself, a second one does") {
   Setup s = make_scene(sphere, surface_options(0));
-  s.scene.light = Double3{1, -1, 1};
+  s.scene.lights = {{1, -1, 1}};
   const View view = make_view(s.scene, 128, 128);
   Film lit(128, 128, {}), shadowed(128, 128, {});
   render(s.scene, view, {}, lit);
@@ -150,7 +151,7 @@ TEST_CASE("a convex body casts no shadow on itself, a second one does") {
   CHECK(different <= 20);  // facets of the interpolant at grazing light
 
   Setup tangled = make_scene(tangle, surface_options(0));
-  tangled.scene.light = Double3{1, -1, 1};
+  tangled.scene.lights = {{1, -1, 1}};
   render(tangled.scene, view, {}, lit = Film(128, 128, {}));
   tangled.scene.shadows = true;
   render(tangled.scene, view, {}, shadowed = Film(128, 128, {}));

@@ -35,7 +35,8 @@ int main(int argc, char** argv) try {
   VolumeSurfaceOptions options;
   options.iso = {20};
   Scene scene;
-  scene.objects.push_back({std::make_shared<VolumeSurface>(volume, options), {Color{0.85f, 0.5f, 0.3f}}});
+  const Material clay{.color = {0.85f, 0.5f, 0.3f}};
+  scene.objects.push_back({std::make_shared<VolumeSurface>(volume, options), {clay}});
 
   // A camera that frames the scene (the braces could fix its position, target or field of view), and a film
   // that records depth besides colour.

@@ -1,0 +1,39 @@
+// What the command line of render means.
+#pragma once
+
+#include <isocast/apps/scene_build/description.h>
+#include <isocast/render/film.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace isocast {
+
+/// The command line as it was typed.
+struct RenderWords {
+  std::string input, output, iso, iso_sweep, colors, method = "auto", size = "1024x1024", isa = "auto",
+                                                     precision = "float";
+  std::string position, target, up, fov, ortho, normals = "gradient", aov, stats;
+  std::string domain, time, opacity, reflectivity, environment;
+  std::vector<std::string> set, params, lights;
+  bool shadows = false;
+  int spp = 1, threads = 0, transparency_depth = 4, reflections = 1;
+  ReadOptions read;
+};
+
+/// All of these throw InputError for words that cannot be used.
+///
+/// "WIDTHxHEIGHT" in pixels
+[[nodiscard]] std::array<int, 2> parse_size(const std::string& text);
+
+/// The iso-values of every frame: one frame of all of --iso, or one value a frame.
+[[nodiscard]] std::vector<std::vector<double>> parse_frames(const RenderWords& words);
+
+/// The layers of --aov, which only an EXR can hold.
+[[nodiscard]] std::vector<Layer> parse_layers(const RenderWords& words, bool exr);
+
+/// The scene but its iso-values.
+[[nodiscard]] SceneDescription describe(const RenderWords& words);
+
+}  // namespace isocast

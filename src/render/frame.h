@@ -1,0 +1,67 @@
+// What the stages of a frame share.
+#pragma once
+
+#include <isocast/render/render.h>
+
+#include <limits>
+#include <vector>
+
+namespace isocast {
+
+/// Everything that a tile needs to know.
+///
+/// lights    of the scene, unit length
+/// objects   the numbers of all objects
+/// first_id  per object: ids of the objects before it
+/// proves    every object does
+struct Frame {
+  const Scene& scene;
+  const View& view;
+  const RenderSettings& settings;
+  Features features;
+  std::vector<Double3> lights;
+  std::vector<std::uint16_t> objects;
+  std::vector<int> first_id;
+  bool proves;
+};
+
+/// Rays with what they hit.
+///
+/// slot    the primary ray of the tile that a ray descends from
+/// weight  the share of that ray's colour which it brings
+struct Wave {
+  RayStream rays;
+  HitStream hits;
+  DressedHits dressed;
+  int slot[kStreamSize];
+  float weight[kStreamSize];
+};
+
+inline bool is_ray(const RayStream& rays, int i) { return rays.t_min[i] <= rays.t_max[i]; }
+inline Double3 direction_of(const RayStream& rays, int i) { return {rays.dx[i], rays.dy[i], rays.dz[i]}; }
+inline bool is_hit(const HitStream& hits, int i) {
+  return hits.t[i] < std::numeric_limits<double>::infinity();
+}
+inline Double3 normal_of(const DressedHits& dressed, int i) {
+  return {dressed.normal[0][i], dressed.normal[1][i], dressed.normal[2][i]};
+}
+inline const Material& material_of(const Scene& scene, const HitStream& hits, int i) {
+  return scene.objects[hits.object[i]].materials[hits.iso[i]];
+}
+
+/// Adds a ray that leaves hit i: from the near end of its bracket, on the side that `from` came from.
+inline void spawn(const RayStream& from, const HitStream& hits, int i, const Double3& direction,
+                  RayStream& to) {
+  const int n = to.size++;
+  to.ox[n] = from.ox[i] + hits.t_lo[i] * from.dx[i];
+  to.oy[n] = from.oy[i] + hits.t_lo[i] * from.dy[i];
+  to.oz[n] = from.oz[i] + hits.t_lo[i] * from.dz[i];
+  to.dx[n] = direction[0], to.dy[n] = direction[1], to.dz[n] = direction[2];
+  to.t_min[n] = 0;
+  to.t_max[n] = std::numeric_limits<double>::infinity();
+  to.id[n] = from.id[i];
+  to.start_object[n] = hits.object[i];
+  to.start_sides[n] = hits.sides[i];
+}
+
+}  // namespace isocast
