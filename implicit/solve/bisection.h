@@ -138,11 +138,15 @@ template <class F, Real R> class Bisection {
     slots_.add(kRuns, p, part.busy & !nothing, 1);
     part.empty = nothing | out;
     part.finite = (range.lo > R(-kLargest<T>)) & (range.hi < R(kLargest<T>));
-    note_sides(p, part.busy & out & !nothing, range);
+    const Mask<R> behind = part.busy & out & (!nothing) & (!range.empty) & is_open(p);
+    note_sides(p, part.busy & out & !(nothing | behind), range);
+    const Mask<R> unknown = part.busy & !(part.empty | is_open(p) | lanes_of<R>(slots_.known, p));
+    if (any(unknown)) note_sides(p, unknown, near_end_of(f));
     take(p,
          query_.options.trim ? find_levels(f, part.lo, part.hi, query_)
                              : find_levels(range, part.lo, part.hi, query_),
          part);
+    if (any(behind)) close(p, part, behind, range, part.lo);
   }
   // Accepts a crossing that is proved and narrow enough, and finds what is to be judged.
   ISO_HD void take(int p, const Levels<R>& levels, Part<R>& part) {
@@ -152,7 +156,7 @@ template <class F, Real R> class Bisection {
     const Mask<R> known = lanes_of<R>(slots_.known, p);
     const Mask<R> fits = (!known) | (below(p, levels.iso) == levels.rises);
     const Mask<R> narrow = part.busy & (!part.empty) & (levels.first_far - levels.near <= smallest);
-    part.accepted = part.proved = narrow & levels.alone() & fits;
+    part.accepted = part.proved = narrow & levels.alone() & fits & !is_open(p);
     part.root = levels;
     // a start on the surface is no crossing: f has its side already
     const Mask<R> start = narrow & levels.crosses & (!fits) & at_known_start(p, part.lo);
@@ -209,17 +213,76 @@ template <class F, Real R> class Bisection {
     for (int n = 0; n < count; ++n) {
       const int p = packs[n];
       Part<R>& part = parts[n];
-      slots_.add(kRuns, p, part.small, ask_near ? 3 : 2);
+      const Mask<R> unknown = part.small & !lanes_of<R>(slots_.known, p);
+      slots_.add(kRuns, p, part.small, 2);
+      slots_.add(kRuns, p, unknown, 1);
       slots_.add(kJudged, p, part.small & (part.hi - part.lo <= smallest_part(p)), 1);
-      if (ask_near) note_sides(p, part.small & !lanes_of<R>(slots_.known, p), f[n]);
+      if (ask_near) note_sides(p, unknown & !is_open(p), f[n]);
       const Mask<R> enough = get(kJudged, p) > R(T(kMostJudged));
       const Mask<R> last_look = (part.hi - part.lo <= R(kLeast<T>)) | enough;
+      const Mask<R> held = part.small & is_open(p), close_here = held & sides_known(at_far[n]);
+      part.small = part.small & !held;
       decide(part, slopes[n], ends_of(p, at_far[n]), last_look, at_known_start(p, part.near),
              smallest_part(p));
+      part.stuck = part.stuck | (held & !close_here);
+      if (any(close_here)) {
+        put_lanes<R>(slots_.smooth, p, lanes_of<R>(slots_.smooth, p) & (slopes[n].continuous | !close_here));
+        close(p, part, close_here, at_far[n], part.end);
+      }
       note_sides(p, part.small & part.empty & !part.doubt, at_far[n]);
+      forget_sides(p, part.doubt & !part.finite);
       part.over = part.doubt & enough;
       for_lanes(p, part.doubt, [this](int, int ray) { roots_.proved[ray] = false; });
+      hold_open(p, part, slopes[n].continuous, enough);
     }
+  }
+
+  ISO_HD Mask<R> is_open(int p) const { return get(kOpen, p) <= R(1); }
+  // Where roundings hide f's side the ray goes on: what comes behind tells what was there.
+  ISO_HD void hold_open(int p, Part<R>& part, Mask<R> continuous, Mask<R> enough) {
+    const Mask<R> held = is_open(p), open = part.stuck & !(enough | held);
+    slots_.set(kOpen, p, select(open, part.near, get(kOpen, p)));
+    slots_.set(kOpenIso, p, select(open, part.root.iso, get(kOpenIso, p)));
+    const Mask<R> smooth = lanes_of<R>(slots_.smooth, p);
+    put_lanes<R>(slots_.smooth, p, select(open, continuous, smooth & (continuous | !part.stuck)));
+    part.empty = part.empty | (part.stuck & !enough);
+    leave_open(p, part, part.stuck & enough);
+  }
+  // Reports what was held open, or this part, as a hit without proof.
+  ISO_HD void leave_open(int p, Part<R>& part, Mask<R> where) {
+    const Mask<R> held = is_open(p);
+    Levels<R> touch = part.root;
+    touch.near = select(held, get(kOpen, p), part.near);
+    touch.first_far = max(part.far, touch.near);
+    touch.middle = R(0.5) * (touch.near + touch.first_far);
+    touch.iso = select(held, get(kOpenIso, p), part.root.iso);
+    part.root.replace(where, touch);
+    part.accepted = part.accepted | where;
+    part.proved = part.proved & !where;
+    part.empty = part.empty & !where;
+  }
+  // Behind what was held open f has sides again, at s: other ones than in front of it prove a crossing.
+  ISO_HD void close(int p, Part<R>& part, Mask<R> where, const Interval<R>& f, R s) {
+    Mask<R> changes = Mask<R>(false), several = changes, rises = changes;
+    R iso = get(kOpenIso, p);
+    for (int i = 0; i < isos_; ++i) {
+      const Mask<R> before = lanes_of<R>(slots_.below[i], p);
+      const Mask<R> change = sides_of(f, query_, i).below != before;
+      iso = select(change & !changes, R(T(i)), iso);
+      rises = select(change & !changes, before, rises);
+      several = several | (change & changes);
+      changes = changes | change;
+    }
+    Levels<R> root = part.root;
+    root.near = get(kOpen, p), root.first_far = max(s, root.near);
+    root.middle = R(0.5) * (root.near + root.first_far);
+    root.iso = iso, root.rises = rises;
+    part.root.replace(where, root);
+    part.accepted = part.accepted | where;
+    part.empty = part.empty & !where;
+    part.small = part.small & !where;
+    const Mask<R> told = lanes_of<R>(slots_.known, p) & lanes_of<R>(slots_.smooth, p) & f.defined;
+    part.proved = select(where, told & changes & !several, part.proved);
   }
 
   // Sides of each iso-value at the ends of a small part.
@@ -245,15 +308,24 @@ template <class F, Real R> class Bisection {
     return {g.dx * d[0] + g.dy * d[1] + g.dz * d[2], g.value.continuous};
   }
 
-  // Remembers the sides that f has, in these lanes, where every iso-value is left out.
-  ISO_HD void note_sides(int p, Mask<R> where, const Interval<R>& f) {
+  // f is off every iso-value, on known sides.
+  ISO_HD Mask<R> sides_known(const Interval<R>& f) const {
     Mask<R> known = f.defined;
     for (int i = 0; i < isos_; ++i) {
       const Sides<R> s = sides_of(f, query_, i);
-      put_lanes<R>(slots_.below[i], p, select(where, s.below, lanes_of<R>(slots_.below[i], p)));
       known = known & (s.below | s.above);
     }
-    put_lanes<R>(slots_.known, p, select(where, known, lanes_of<R>(slots_.known, p)));
+    return known;
+  }
+  ISO_HD void forget_sides(int p, Mask<R> where) {
+    put_lanes<R>(slots_.known, p, lanes_of<R>(slots_.known, p) & !where);
+  }
+  // Remembers the sides that f has, in these lanes, where every iso-value is left out.
+  ISO_HD void note_sides(int p, Mask<R> where, const Interval<R>& f) {
+    for (int i = 0; i < isos_; ++i)
+      put_lanes<R>(slots_.below[i], p,
+                   select(where, sides_of(f, query_, i).below, lanes_of<R>(slots_.below[i], p)));
+    put_lanes<R>(slots_.known, p, select(where, sides_known(f), lanes_of<R>(slots_.known, p)));
   }
   // Whether f < iso where the ray has come to, for an iso-value per lane.
   ISO_HD Mask<R> below(int p, R iso) const {
@@ -297,7 +369,7 @@ template <class F, Real R> class Bisection {
   }
 
   // On to the next parts.
-  ISO_HD void advance(const int* packs, const Part<R>* parts, int count) {
+  ISO_HD void advance(const int* packs, Part<R>* parts, int count) {
     SlotBits divide = 0, leave = 0, again = 0;
     for (int n = 0; n < count; ++n) {
       const Part<R>& part = parts[n];
@@ -315,10 +387,17 @@ template <class F, Real R> class Bisection {
       }
     for (int n = 0; n < count; ++n) {
       const int p = packs[n];
-      const Part<R>& part = parts[n];
+      Part<R>& part = parts[n];
       shorten(p, part);
       if (!free()) follow_path(p, lanes_of<R>(divide, p), lanes_of<R>(leave, p));
-      const Mask<R> done = part.accepted | part.over | (get(kBegin, p) >= R(1)) | (get(kK, p) >= R(1));
+      const Mask<R> end = (get(kBegin, p) >= R(1)) | (get(kK, p) >= R(1));
+      const Mask<R> done = part.accepted | part.over | end;
+      const Mask<R> still_open = part.busy & done & is_open(p) & !part.accepted;
+      if (any(still_open)) {
+        part.accepted = still_open;
+        leave_open(p, part, still_open);
+        report(p, part);
+      }
       const Mask<R> finished = part.busy & done;
       for_lanes(p, finished, [this, p](int l, int ray) {
         roots_.evaluations[ray] = static_cast<std::uint32_t>(slots_.field[kRuns][p * kWidth<R> + l]);
@@ -344,7 +423,9 @@ template <class F, Real R> class Bisection {
     if (!free()) return;
     const R length = far - part.near, half = R(0.5) * (part.hi - part.lo);
     const R next = max(select(length <= half, length, R(0.5) * length), least);
-    slots_.set(kW, p, select(gone, w + w, select(divide, next, w)));
+    // where a side is hidden in small steps, so as not to leap over a dip that shows it
+    const R leap = select(is_open(p), max(R(0.25) * (begin - get(kOpen, p)), least), w + w);
+    slots_.set(kW, p, select(gone, leap, select(divide, next, w)));
   }
   // Into the near half, or to the next part and up while both halves are done.
   ISO_HD void follow_path(int p, Mask<R> divide, Mask<R> leave) {

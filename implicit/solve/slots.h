@@ -36,12 +36,13 @@ template <Real R> ISO_HD inline void put_lanes(SlotBits& bits, int p, Mask<R> ma
 /// cut, cut_end         from cut to cut_end none either; nothing is known behind cut_end
 /// offset, scale, k, w  the part in turn on a path of halves: from k to k + w, s = offset + scale k
 /// reach                how far behind a part f is looked at for its side: as far as roundings hide it
+/// open, open_iso       where f came so close to that iso-value that its side is hidden; 2: nowhere
 /// value, slope         f and df/dt at begin, of marching points
 /// judged, runs         small parts looked at, evaluations
 enum Field {
   // clang-format off
   kEx, kEy, kEz, kDx, kDy, kDz, kWx, kWy, kWz, kStart, kSmallestPart, kOffset, kScale, kBegin, kCut, kCutEnd, kK, kW,
-  kReach, kValue, kSlope, kJudged, kRuns, kFields
+  kReach, kOpen, kOpenIso, kValue, kSlope, kJudged, kRuns, kFields
   // clang-format on
 };
 
@@ -49,14 +50,15 @@ enum Field {
 ///
 /// busy     a ray is here and not finished
 /// carried  its sides were known at its start
-/// known    its sides at begin are known: below[i] of each iso-value
+/// known    its sides are known: below[i] of each iso-value, at begin or, if that is nearer, at open
+/// smooth   f is continuous from open to begin
 template <Real R> struct Slots {
   using T = Scalar<R>;
   static constexpr int kPacks = kSlots / kWidth<R>;
 
   alignas(64) T field[kFields][kSlots];
   int ray[kSlots];
-  SlotBits busy = 0, carried = 0, known = 0, below[kMostIsos] = {};
+  SlotBits busy = 0, carried = 0, known = 0, smooth = 0, below[kMostIsos] = {};
 
   ISO_HD R get(Field f, int p) const { return load<R>(field[f] + p * kWidth<R>); }
   ISO_HD void set(Field f, int p, R value) { store(field[f] + p * kWidth<R>, value); }
@@ -78,6 +80,8 @@ template <Real R> struct Slots {
     field[kOffset][slot] = stream.k_offset[i];
     field[kScale][slot] = stream.k_scale[i];
     field[kCut][slot] = field[kCutEnd][slot] = field[kW][slot] = T(1);
+    field[kOpen][slot] = T(2);
+    field[kOpenIso][slot] = T(0);
     field[kK][slot] = field[kReach][slot] = field[kValue][slot] = field[kSlope][slot] = field[kJudged][slot] =
         field[kRuns][slot] = T(0);
     ray[slot] = i;
@@ -85,6 +89,7 @@ template <Real R> struct Slots {
     put(busy, true);
     put(carried, stream.carried[i]);
     put(known, stream.carried[i]);
+    put(smooth, true);
     for (int n = 0; n < iso_count; ++n) put(below[n], stream.sides[i] >> n & 1);
   }
 
@@ -95,7 +100,7 @@ template <Real R> struct Slots {
     const auto move_bit = [from, to](SlotBits& bits) {
       bits = (bits & ~(SlotBits(1) << to)) | ((bits >> from & 1) << to);
     };
-    move_bit(busy), move_bit(carried), move_bit(known);
+    move_bit(busy), move_bit(carried), move_bit(known), move_bit(smooth);
     for (int n = 0; n < iso_count; ++n) move_bit(below[n]);
     busy &= ~(SlotBits(1) << from);
   }

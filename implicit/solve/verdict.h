@@ -21,12 +21,13 @@ template <> inline constexpr double kLeast<double> = 0x1p-44;
 ///            is unbounded
 /// accepted   `root` is reported, `proved` or not
 /// small      short enough to be judged
+/// stuck      cannot be told and is not to be divided
 /// over       the ray ends without a hit
 /// again      to be judged once more, with `reach`
 template <Real R> struct Part {
   R lo, hi, near, far, end, reach, resume;
   Mask<R> busy, finite, empty, accepted, proved, small = Mask<R>(false), doubt = small, over = small,
-                                                 again = small;
+                                                 stuck = small, again = small;
   Levels<R> root;
 
   /// Takes over what was found of other's lanes.
@@ -57,11 +58,11 @@ template <Real R> struct Ends {
 };
 
 /// Decides small parts: where f is monotone, its sides at the ends tell; a crossing is narrowed down by one
-/// step of the interval Newton method. What cannot be told at the last look becomes a hit without proof.
+/// step of the interval Newton method. At the last look the others are stuck or, at a start on the surface
+/// and where f is unbounded, in doubt.
 template <Real R>
 ISO_HD inline void decide(Part<R>& part, const Slope<R>& slope, const Ends<R>& ends, Mask<R> last_look,
                           Mask<R> at_start, R smallest) {
-  using T = Scalar<R>;
   const Interval<R> d = slope.value;
   const Mask<R> monotone = d.defined & slope.continuous & ((d.lo > R(0)) | (d.hi < R(0)));
   Levels<R> roots;
@@ -87,16 +88,14 @@ ISO_HD inline void decide(Part<R>& part, const Slope<R>& slope, const Ends<R>& e
   part.again = part.small & monotone & hidden & (!last_look) & (part.end < R(1)) &
                (reach > R(2) * max(part.reach, part.end - part.far)) & (reach < R(1)) & !(empty | accepted);
   part.reach = select(part.again, reach, part.reach);
-  const Mask<R> stuck = part.small & last_look & !(empty | accepted);
-  part.doubt = stuck & (at_start | !part.finite);
+  const Mask<R> unclear = part.small & last_look & !(empty | accepted);
+  part.doubt = unclear & (at_start | !part.finite);
+  part.stuck = unclear & !part.doubt;
   part.hi = select(empty, part.end, part.hi);
   part.empty = part.empty | empty | part.doubt;
-  const Mask<R> unproved = stuck & !part.doubt;
-  part.accepted = part.accepted | accepted | unproved;
+  part.accepted = part.accepted | accepted;
   part.proved = part.proved | accepted;
   part.root.replace(accepted, roots);
-  part.root.middle = select(unproved, R(T(0.5)) * (part.near + part.far), part.root.middle);
-  part.root.first_far = select(unproved, part.far, part.root.first_far);
 }
 
 }  // namespace isocast::inline ISO_ISA
