@@ -1,6 +1,7 @@
 // The iso-surfaces of one formula, as the renderer sees them.
 #pragma once
 
+#include <isocast/implicit/components.h>
 #include <isocast/implicit/expression/domain.h>
 #include <isocast/implicit/expression/tape.h>
 #include <isocast/implicit/methods.h>
@@ -12,12 +13,16 @@
 
 namespace isocast {
 
-/// iso     1 to kMostIsos values
-/// time    the variable w
-/// object  number of the object in its scene
+/// iso         1 to kMostIsos values
+/// time        the variable w
+/// normals     difference: over a stencil tied to the method's eps (FormulaMethodChoice)
+/// components  hits say which operand of the formula's min and max was hit
+/// object      number of the object in its scene
 struct ImplicitSurfaceOptions {
   std::vector<double> iso = {0};
   double time = 0;
+  NormalKind normals = NormalKind::gradient;
+  bool components = false;
   FormulaMethodChoice method;
   bool double_precision = false;
   Isa isa = widest_isa();
@@ -37,6 +42,7 @@ class ImplicitSurface final : public Surface {
 
   void set_options(const ImplicitSurfaceOptions& options);
 
+  [[nodiscard]] int component_count() const { return components_.count(); }
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] bool proves() const override { return options_.method.proves(); }
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
@@ -46,17 +52,19 @@ class ImplicitSurface final : public Surface {
 
  private:
   template <class T> [[nodiscard]] FormulaQuery<T> make_query() const;
+  [[nodiscard]] Double3 difference_normal(const Double3& p, double distance) const;
   template <class T>
   void trace(const FormulaQuery<T>& query, bool next, const RayStream& rays, HitStream& hits,
              TraceCounts& counts) const;
 
+  Components components_;
   Tape tape_;
   double gradient_;  // median of its length, probed
   Box bounds_;
   ImplicitSurfaceOptions options_;
   FormulaQuery<float> float_query_ = {};
   FormulaQuery<double> double_query_ = {};
-  double eps_ = 0;
+  double eps_ = 0, shadow_eps_ = 0;
 };
 
 }  // namespace isocast

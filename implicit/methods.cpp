@@ -11,6 +11,19 @@ constexpr MethodOption kEps = {
     "eps", 0, 0, 1e300, false, "world length", "parts of a ray below it are judged; 0: eps-rel decides"};
 constexpr MethodOption kEpsRel = {
     "eps-rel", 0x1p-11, 0x1p-40, 1, false, "of the domain's longest edge", "the same as a fraction"};
+constexpr MethodOption kDelta = {"delta",
+                                 0,
+                                 0,
+                                 1e300,
+                                 false,
+                                 "",
+                                 "a part over which f varies by no more is taken for a hit, without proof"};
+constexpr MethodOption kShadow = {
+    "shadow-eps-rel", 0, 0, 1, false, "of the domain's longest edge", "eps-rel of shadow rays, if larger"};
+constexpr MethodOption kNormalStep = {
+    "normal-step", 1, 0x1p-20, 0x1p20, false, "eps", "stencil of --normals difference"};
+constexpr MethodOption kNormalGrows = {
+    "normal-grows", 0, 0, 1, true, "", "1: that stencil times the distance over the domain's longest edge"};
 constexpr MethodOption kTrim = {
     "trim", 1, 0, 1, true, "", "1: what a form proves empty of a part is left out before it is divided"};
 
@@ -39,9 +52,10 @@ constexpr MethodOption kOffset = {"offset",
                                   "",
                                   "added to every iso-value: fattens a surface that is only touched"};
 
-constexpr MethodOption kInterval[] = {kEps, kEpsRel, kBisection};
-constexpr MethodOption kAffine[] = {kEps, kEpsRel, kBisection, kTrim};
-constexpr MethodOption kDerivative[] = {kEps, kEpsRel};
+constexpr MethodOption kInterval[] = {kEps, kEpsRel, kDelta, kBisection, kShadow, kNormalStep, kNormalGrows};
+constexpr MethodOption kAffine[] = {kEps,  kEpsRel, kDelta,      kBisection,
+                                    kTrim, kShadow, kNormalStep, kNormalGrows};
+constexpr MethodOption kDerivative[] = {kEps, kEpsRel, kDelta, kShadow, kNormalStep, kNormalGrows};
 constexpr MethodOption kMarching[] = {
     kStep,
     tau("tau1", "where |f - iso| is at most this, half a step; 0: the median gradient times the base step"),
@@ -49,7 +63,9 @@ constexpr MethodOption kMarching[] = {
     tau("tau3",
         "where it is at most tau1 and |df/dt| at most this, a quarter; 0: a tenth of the median gradient"),
     kHalvings,
-    kOffset};
+    kOffset,
+    kNormalStep,
+    kNormalGrows};
 
 constexpr const char* kMitchell =
     "Mitchell: Robust ray intersection with interval arithmetic, Graphics Interface 1990";
@@ -89,7 +105,11 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   choice.eps = value("eps", choice.eps);
   choice.eps_rel = value("eps-rel", choice.eps_rel);
   choice.offset = value("offset", 0);
+  choice.shadow_eps_rel = value("shadow-eps-rel", 0);
+  choice.normal_step = value("normal-step", 1);
+  choice.normal_grows = value("normal-grows", 0) != 0;
   FormulaOptions& options = choice.options;
+  options.delta = value("delta", 0);
   options.trim = value("trim", 1) != 0;
   options.packets = value("bisection", 0) == 1;
   options.step = value("step", 0);

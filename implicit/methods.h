@@ -18,10 +18,15 @@ namespace isocast {
 /// eps       a length; 0: eps_rel, a fraction of the domain's longest edge
 /// options   step and tau may be 0 as well
 /// offset    added to every iso-value
+/// shadow_eps_rel  eps_rel of shadow rays, if larger
+/// normal_step     stencil of difference normals in eps; `normal_grows`: in proportion to the distance along
+/// the
+///                 ray over the domain's longest edge
 struct FormulaMethodChoice {
   FormulaMethod method = FormulaMethod::affine;
   FormulaOptions options;
-  double eps = 0, eps_rel = 0x1p-11, offset = 0;
+  double eps = 0, eps_rel = 0x1p-11, offset = 0, shadow_eps_rel = 0, normal_step = 1;
+  bool normal_grows = false;
   [[nodiscard]] bool proves() const;
 };
 /// A row with its `--set` values. Throws InputError as find_method and resolve_options do.

@@ -15,7 +15,6 @@
 
 namespace isocast {
 
-enum class NormalKind : std::uint8_t { gradient, difference };
 
 /// iso       1 to kMaxIsos values in the user's units (slope and intercept of the file)
 /// isa       which kernels run, by default the widest for this processor; all give the same bits

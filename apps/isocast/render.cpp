@@ -126,8 +126,9 @@ void add_render(CLI::App& app) {
   verb->add_option("--domain", w->domain,
                    "Box of a formula: LO,HI or XLO,XHI,YLO,YHI,ZLO,ZHI (default: -1,1, or the catalogue's)");
   verb->add_option("--time", w->time, "The variable w of a formula (default 0)");
-  verb->add_option("--method", w->method,
-                   "auto (marmitt for volumes, interval or affine for formulas), or a name that 'isocast methods' lists");
+  verb->add_option(
+      "--method", w->method,
+      "auto (marmitt for volumes, interval or affine for formulas), or a name that 'isocast methods' lists");
   verb->add_option("--set", w->set, "An option of the method, KEY=VALUE")->allow_extra_args(false);
   verb->add_option("--size", w->size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
   verb->add_option("--spp", w->spp,
@@ -143,6 +144,8 @@ void add_render(CLI::App& app) {
                    "X,Y,Z: direction towards a directional light; up to 8 times, n lights have 1/n of the "
                    "strength each (default: a headlight)")
       ->allow_extra_args(false);
+  verb->add_flag("--color-components", w->by_component,
+                 "Materials belong to the operands of a formula's min and max instead of to iso-values");
   verb->add_flag("--shadows", w->shadows,
                  "Hard shadows of the directional lights; what is not opaque lets light through");
   verb->add_option(

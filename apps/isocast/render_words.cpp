@@ -34,8 +34,6 @@ std::variant<VolumeSource, FormulaSource> find_source(const RenderWords& words) 
       throw InputError("found --param, --domain or --time for a volume, expected them for a formula");
     return VolumeSource{words.input, words.read};
   }
-  if (words.normals == "difference")
-    throw InputError("found --normals difference for a formula, whose gradient is exact");
   if (!words.domain.empty()) request.domain = parse_domain(words.domain, "--domain");
   FormulaInput input = read_formula(request);
   return FormulaSource{std::move(input.expression), input.domain,
@@ -120,6 +118,9 @@ SceneDescription describe(const RenderWords& words) {
   object.method = words.method;
   for (const std::string& word : words.set) object.settings.insert(parse_key_value(word, "--set"));
   object.materials = describe_materials(words);
+  object.by_component = words.by_component;
+  if (object.by_component && !std::holds_alternative<FormulaSource>(object.source))
+    throw InputError("found --color-components for a volume, expected it for a formula");
   object.normals = words.normals == "difference" ? NormalKind::difference : NormalKind::gradient;
   scene.camera = {parse_vector(words.position, "--camera-position"),
                   parse_vector(words.target, "--camera-target"), parse_vector(words.up, "--camera-up"),

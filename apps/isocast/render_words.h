@@ -17,7 +17,7 @@ struct RenderWords {
   std::string position, target, up, fov, ortho, normals = "gradient", aov, stats;
   std::string domain, time, opacity, reflectivity, environment;
   std::vector<std::string> set, params, lights;
-  bool shadows = false;
+  bool shadows = false, by_component = false;
   int spp = 1, threads = 0, transparency_depth = 4, reflections = 1;
   ReadOptions read;
 };

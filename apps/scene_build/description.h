@@ -32,7 +32,8 @@ struct MaterialDescription {
 };
 
 /// Iso-surfaces of a volume (`iso` in the file's scaled units; empty: the best of suggested_iso) or of a
-/// formula in a box (empty: 0). `normals` are a volume's.
+/// formula in a box (empty: 0). `by_component`: the materials are those of the operands of
+/// the min and max in which the formula ends.
 struct ObjectDescription {
   std::variant<VolumeSource, FormulaSource> source;
   std::vector<double> iso;
@@ -40,6 +41,7 @@ struct ObjectDescription {
   std::string method = "auto";
   std::map<std::string, std::string> settings;
   NormalKind normals = NormalKind::gradient;
+  bool by_component = false;
 };
 
 /// A scene of one object, its lights and environment (a picture of all directions; empty: none), and what is

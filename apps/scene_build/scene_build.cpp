@@ -86,6 +86,8 @@ void build(BuiltScene& built, const FormulaSource& source, const ObjectDescripti
   options.double_precision = settings.double_precision;
   options.isa = settings.isa;
   options.time = source.time;
+  options.normals = wanted.normals;
+  options.components = wanted.by_component;
   if (!wanted.iso.empty()) options.iso = wanted.iso;
   if (automatic) {
     const AutomaticMethod choice = choose_automatically(source.expression, source.domain, options);
@@ -99,7 +101,9 @@ void build(BuiltScene& built, const FormulaSource& source, const ObjectDescripti
   built.build_ms = ms_since(start);
   add_object(built, surface, options);
   built.features = {"formula", fmt::format("iso:{}", options.iso.size())};
-  built.left_out = {"volume", "acceleration structure", "statistics"};
+  if (wanted.by_component) built.components = static_cast<std::size_t>(surface->component_count());
+  list(built, wanted.by_component, "components");
+  for (const char* part : {"volume", "acceleration structure", "statistics"}) list(built, false, part);
 }
 
 }  // namespace
@@ -109,7 +113,9 @@ void BuiltScene::set_iso(const std::vector<double>& values, const MaterialDescri
   move_surface(iso);
   SceneObject& object = scene.objects.front();
   object.materials.clear();
-  for (std::size_t i = 0; i < iso.size(); ++i) object.materials.push_back(material_of(materials, i));
+  const std::size_t count = components > 0 ? components : iso.size();
+  for (std::size_t i = 0; i < count; ++i) object.materials.push_back(material_of(materials, i));
+  object.by_component = components > 0;
 }
 
 BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings) {

@@ -147,6 +147,10 @@ template <class F, Real R> class Bisection {
                              : find_levels(range, part.lo, part.hi, query_),
          part);
     if (any(behind)) close(p, part, behind, range, part.lo);
+    const R delta = R(static_cast<T>(query_.options.delta));
+    const Mask<R> flat = part.busy & (!(part.empty | part.accepted)) & (range.hi - range.lo <= delta) &
+                         !at_known_start(p, part.lo);
+    if (any(flat)) leave_open(p, part, flat);
   }
   // Accepts a crossing that is proved and narrow enough, and finds what is to be judged.
   ISO_HD void take(int p, const Levels<R>& levels, Part<R>& part) {
@@ -222,17 +226,17 @@ template <class F, Real R> class Bisection {
       const Mask<R> last_look = (part.hi - part.lo <= R(kLeast<T>)) | enough;
       const Mask<R> held = part.small & is_open(p), close_here = held & sides_known(at_far[n]);
       part.small = part.small & !held;
-      decide(part, slopes[n], ends_of(p, at_far[n]), last_look, at_known_start(p, part.near),
-             smallest_part(p));
+      decide(part, slopes[n], ends_of(p, at_far[n]), last_look, smallest_part(p));
       part.stuck = part.stuck | (held & !close_here);
       if (any(close_here)) {
         put_lanes<R>(slots_.smooth, p, lanes_of<R>(slots_.smooth, p) & (slopes[n].continuous | !close_here));
+        part.hi = select(close_here, part.end, part.hi);
         close(p, part, close_here, at_far[n], part.end);
       }
       note_sides(p, part.small & part.empty & !part.doubt, at_far[n]);
       forget_sides(p, part.doubt & !part.finite);
       part.over = part.doubt & enough;
-      for_lanes(p, part.doubt, [this](int, int ray) { roots_.proved[ray] = false; });
+      doubt(p, part.doubt);
       hold_open(p, part, slopes[n].continuous, enough);
     }
   }
@@ -248,9 +252,19 @@ template <class F, Real R> class Bisection {
     part.empty = part.empty | (part.stuck & !enough);
     leave_open(p, part, part.stuck & enough);
   }
-  // Reports what was held open, or this part, as a hit without proof.
+  // What is held open began on the surface.
+  ISO_HD Mask<R> from_start(int p) const {
+    return is_open(p) & lanes_of<R>(slots_.carried, p) & (get(kOpen, p) <= get(kStart, p));
+  }
+  ISO_HD void doubt(int p, Mask<R> where) {
+    for_lanes(p, where, [this](int, int ray) { roots_.proved[ray] = false; });
+  }
+  // Reports what was held open, or this part, as a hit without proof; a start on the surface is none.
   ISO_HD void leave_open(int p, Part<R>& part, Mask<R> where) {
-    const Mask<R> held = is_open(p);
+    const Mask<R> held = is_open(p), start = where & from_start(p);
+    doubt(p, start);
+    part.over = part.over | start;
+    where = where & !start;
     Levels<R> touch = part.root;
     touch.near = select(held, get(kOpen, p), part.near);
     touch.first_far = max(part.far, touch.near);
@@ -260,8 +274,10 @@ template <class F, Real R> class Bisection {
     part.accepted = part.accepted | where;
     part.proved = part.proved & !where;
     part.empty = part.empty & !where;
+    part.small = part.small & !where;
   }
-  // Behind what was held open f has sides again, at s: other ones than in front of it prove a crossing.
+  // Behind what was held open f has sides again, at s: other ones than in front of it prove a crossing. The
+  // same behind a start on the surface mean that nothing was there.
   ISO_HD void close(int p, Part<R>& part, Mask<R> where, const Interval<R>& f, R s) {
     Mask<R> changes = Mask<R>(false), several = changes, rises = changes;
     R iso = get(kOpenIso, p);
@@ -273,6 +289,12 @@ template <class F, Real R> class Bisection {
       several = several | (change & changes);
       changes = changes | change;
     }
+    const Mask<R> start = from_start(p), nothing = where & start & !changes;
+    doubt(p, where & start);
+    slots_.set(kOpen, p, select(nothing, R(2), get(kOpen, p)));
+    part.empty = part.empty | nothing;
+    part.small = part.small & !where;
+    where = where & !nothing;
     Levels<R> root = part.root;
     root.near = get(kOpen, p), root.first_far = max(s, root.near);
     root.middle = R(0.5) * (root.near + root.first_far);
@@ -280,8 +302,7 @@ template <class F, Real R> class Bisection {
     part.root.replace(where, root);
     part.accepted = part.accepted | where;
     part.empty = part.empty & !where;
-    part.small = part.small & !where;
-    const Mask<R> told = lanes_of<R>(slots_.known, p) & lanes_of<R>(slots_.smooth, p) & f.defined;
+    const Mask<R> told = (!start) & lanes_of<R>(slots_.known, p) & lanes_of<R>(slots_.smooth, p) & f.defined;
     part.proved = select(where, told & changes & !several, part.proved);
   }
 
@@ -394,7 +415,7 @@ template <class F, Real R> class Bisection {
       const Mask<R> done = part.accepted | part.over | end;
       const Mask<R> still_open = part.busy & done & is_open(p) & !part.accepted;
       if (any(still_open)) {
-        part.accepted = still_open;
+        part.accepted = Mask<R>(false);
         leave_open(p, part, still_open);
         report(p, part);
       }

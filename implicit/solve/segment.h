@@ -44,6 +44,7 @@ template <class T> struct alignas(64) SegmentRoots {
 /// zero an interval Newton step tells what is left of the part.
 enum class Derivative : std::uint8_t { of_small, of_all, newton };
 
+/// delta       parts over which f varies by no more are taken for hits, without proof
 /// trim        affine: the part of a segment that its form proves empty is left out before it is divided
 /// packets     rays of a packet are divided at the same points of one axis, where they can be
 /// derivative  interval
@@ -53,7 +54,7 @@ enum class Derivative : std::uint8_t { of_small, of_all, newton };
 struct FormulaOptions {
   bool trim = true, packets = false;
   Derivative derivative = Derivative::of_small;
-  double tau[3] = {}, step = 0;
+  double delta = 0, tau[3] = {}, step = 0;
   int halvings = 10;
 };
 

@@ -58,11 +58,11 @@ template <Real R> struct Ends {
 };
 
 /// Decides small parts: where f is monotone, its sides at the ends tell; a crossing is narrowed down by one
-/// step of the interval Newton method. At the last look the others are stuck or, at a start on the surface
-/// and where f is unbounded, in doubt.
+/// step of the interval Newton method. At the last look the others are stuck or, where f is unbounded, in
+/// doubt.
 template <Real R>
 ISO_HD inline void decide(Part<R>& part, const Slope<R>& slope, const Ends<R>& ends, Mask<R> last_look,
-                          Mask<R> at_start, R smallest) {
+                          R smallest) {
   const Interval<R> d = slope.value;
   const Mask<R> monotone = d.defined & slope.continuous & ((d.lo > R(0)) | (d.hi < R(0)));
   Levels<R> roots;
@@ -89,7 +89,7 @@ ISO_HD inline void decide(Part<R>& part, const Slope<R>& slope, const Ends<R>& e
                (reach > R(2) * max(part.reach, part.end - part.far)) & (reach < R(1)) & !(empty | accepted);
   part.reach = select(part.again, reach, part.reach);
   const Mask<R> unclear = part.small & last_look & !(empty | accepted);
-  part.doubt = unclear & (at_start | !part.finite);
+  part.doubt = unclear & !part.finite;
   part.stuck = unclear & !part.doubt;
   part.hi = select(empty, part.end, part.hi);
   part.empty = part.empty | empty | part.doubt;

@@ -8,6 +8,9 @@
 
 namespace isocast {
 
+/// Normals from the gradient of what is solved, or from central differences of it.
+enum class NormalKind : std::uint8_t { gradient, difference };
+
 /// What shading and layers may ask of a hit.
 struct DressWishes {
   bool normal = false, position = false, value = false;

@@ -46,7 +46,9 @@ inline Double3 normal_of(const DressedHits& dressed, int i) {
   return {dressed.normal[0][i], dressed.normal[1][i], dressed.normal[2][i]};
 }
 inline const Material& material_of(const Scene& scene, const HitStream& hits, int i) {
-  return scene.objects[hits.object[i]].materials[hits.iso[i]];
+  const SceneObject& object = scene.objects[hits.object[i]];
+  if (!object.by_component) return object.materials[hits.iso[i]];
+  return object.materials[static_cast<std::size_t>(hits.cell[0][i]) % object.materials.size()];
 }
 
 /// Adds a ray that leaves hit i: from the near end of its bracket, on the side that `from` came from.

@@ -11,10 +11,11 @@
 
 namespace isocast {
 
-/// One surface and the material of each of its iso-values.
+/// One surface and the material of each of its iso-values, or of each of its components.
 struct SceneObject {
   std::shared_ptr<const Surface> surface;
   std::vector<Material> materials;
+  bool by_component = false;
 };
 
 /// lights       directions towards directional lights, world space, any length; none: a headlight, which
