@@ -36,6 +36,10 @@ expect 0 '"suggested_iso"' info tangle.nrrd --json
 expect 0 "metaimage" info gyroid.mha
 expect 0 '"default"' methods --json
 expect 0 '"barth_sextic"' surfaces --json
+expect 0 "" surfaces -o sheet.png --size 16
+[[ $(head -c 24 sheet.png | tail -c 8 | od -An -tx1 | tr -d ' ') == 0000009000000090 ]] || fail "surfaces -o: the sheet has not 9 x 9 tiles of 16 pixels"
+expect 0 "" surfaces -o again.png --size 16 --method amp-sign --set iterations=2 --precision double --time 1
+cmp -s sheet.png again.png && fail "surfaces -o: the same sheet with another method at another time"
 expect 0 '"left_out"' render tangle.nrrd --iso 0 --size 64x48 -o tangle.png --stats -
 expect 0 "" render gyroid_33x33x33_uint8.raw --size 64x48 --iso 100,140 --colors '#ff0000,#00ff00' --ortho 40 -o gyroid.png
 expect 0 '"transparency:4"' render tangle.nrrd --iso 0,3 --opacity 0.4,0.8 --size 64x48 -o clear.png --stats -
@@ -75,6 +79,14 @@ expect 2 "found 9 lights, expected at most 8" render tangle.nrrd --light={1,2,3,
 expect 2 "sky.exr: No such file" render tangle.nrrd --environment sky.exr -o a.png
 expect 2 "ends with .exr, .hdr, .png or .jpg" render tangle.nrrd --environment tangle.nrrd -o a.png
 expect 2 "suite" bench everything -o bench
+expect 2 "a name that ends with .png" surfaces -o a.exr
+expect 2 "the folder nowhere does not exist" surfaces -o nowhere/a.png
+expect 2 "interval, affine" surfaces -o a.png --method marmitt
+expect 2 "no option 'trim'" surfaces -o a.png --method interval --set trim=1
+expect 2 "not in range 16 to 1024" surfaces -o a.png --size 0
+expect 2 "--time" surfaces -o a.png --time soon
+expect 2 "requires -o" surfaces --size 32
+expect 2 "excludes" surfaces --json -o a.png
 [[ -e a.png || -e a.exr ]] && fail "a failed run left a picture"
 
 # formulas: the same picture for every number of threads and instruction set
@@ -122,6 +134,13 @@ kill -INT $!
 wait $!
 ((status = $?)) || true
 ((status == 130)) || fail "Ctrl-C: exit code $status, expected 130"
+[[ $(cat kept.png) == old ]] || fail "Ctrl-C: the old picture is gone"
+"$program" surfaces -o kept.png --size 1024 2>err.txt &
+sleep 1
+kill -INT $!
+wait $!
+((status = $?)) || true
+((status == 130)) || fail "Ctrl-C: exit code $status of surfaces, expected 130"
 [[ $(cat kept.png) == old ]] || fail "Ctrl-C: the old picture is gone"
 compgen -G ".*part*" >/dev/null && fail "Ctrl-C: a half file is left"
 
