@@ -1,3 +1,4 @@
+#include <isocast/implicit/expression/registers.h>
 #include <isocast/implicit/expression/tape.h>
 
 #include <algorithm>
@@ -56,23 +57,6 @@ std::vector<NodeId> schedule(const Expression& expression, const std::vector<std
   }
   return order;
 }
-
-// Hands out registers, those given back first.
-class Registers {
- public:
-  std::uint32_t take() {
-    if (free_.empty()) return count_++;
-    const std::uint32_t taken = free_.back();
-    free_.pop_back();
-    return taken;
-  }
-  void give_back(std::uint32_t one) { free_.push_back(one); }
-  [[nodiscard]] std::uint32_t count() const { return count_; }
-
- private:
-  std::vector<std::uint32_t> free_;
-  std::uint32_t count_ = 0;
-};
 
 }  // namespace
 
