@@ -1,37 +1,12 @@
 #include <fmt/format.h>
 #include <isocast/implicit/automatic.h>
 #include <isocast/implicit/expression/simplify.h>
+#include <isocast/implicit/tape_cost.h>
 
 #include <memory>
 
 namespace isocast {
 namespace {
-
-// Operations of one evaluation, in those of an interval's sum: what a profile of the kernels shows, roughly.
-double cost_of(const Tape& tape, FormulaMethod method) {
-  const bool affine = method == FormulaMethod::affine;
-  double cost = 0;
-  for (const Instruction& i : tape.code) {
-    switch (i.op) {
-      case Op::constant:
-      case Op::variable:
-      case Op::negate: break;
-      case Op::add:
-      case Op::subtract: cost += affine ? 2 : 1; break;
-      case Op::multiply: cost += 4; break;
-      case Op::square:
-      case Op::abs:
-      case Op::min:
-      case Op::max: cost += affine ? 3 : 1; break;
-      case Op::power:
-      case Op::chebyshev: cost += affine ? 20 : 8; break;
-      case Op::divide:
-      case Op::sqrt: cost += affine ? 30 : 8; break;
-      default: cost += affine ? 60 : 20;
-    }
-  }
-  return cost;
-}
 
 // Rays from points around the box to points inside it, low-discrepancy in both.
 void fill_probe(const Domain& domain, RayStream& rays) {
@@ -71,7 +46,7 @@ AutomaticMethod choose_automatically(const Expression& expression, const Domain&
     surface.first_hit(*rays, *hits, counts);
     const auto i = static_cast<std::size_t>(method);
     evaluations[i] = static_cast<double>(counts.evaluations) / kStreamSize;
-    work[i] = evaluations[i] * cost_of(tape, method);
+    work[i] = evaluations[i] * tape_cost(tape, method == FormulaMethod::affine);
   }
   const auto chosen = work[0] < work[1] ? FormulaMethod::interval : FormulaMethod::affine;
   return {chosen,

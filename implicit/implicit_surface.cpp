@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <isocast/base/error.h>
+#include <isocast/implicit/expression/prune.h>
 #include <isocast/implicit/expression/simplify.h>
 #include <isocast/implicit/gradient_scale.h>
 #include <isocast/implicit/implicit_surface.h>
 #include <isocast/implicit/ray_segments.h>
 #include <isocast/implicit/registers.h>
+#include <isocast/implicit/tape_cost.h>
 #include <isocast/math/interval.h>
 
 #include <algorithm>
@@ -58,68 +60,150 @@ void ImplicitSurface::set_options(const ImplicitSurfaceOptions& options) {
   if (!method.proves()) eps_ = method.options.step > 0 ? method.options.step : 0x1p-8 * longest;
   shadow_eps_ = std::max(eps_, method.shadow_eps_rel * longest);
   gradient_ = method.proves() ? 0 : median_gradient(tape_, bounds_, options.time);
+  plan_pruning();
   float_query_ = make_query<float>();
   double_query_ = make_query<double>();
 }
 
+// A ray on its way through the box.
+struct ImplicitSurface::Traced {
+  ClippedRay ray;
+  double begin;  // nothing is left to be found before it
+  std::uint32_t sides;
+  bool active, carried, doubt;  // doubt: something before begin was not told
+};
+
 template <class T>
 void ImplicitSurface::trace(const FormulaQuery<T>& query, bool next, const RayStream& rays, HitStream& hits,
                             TraceCounts& counts) const {
+  Traced traced[kStreamSize];
+  for (int i = 0; i < rays.size; ++i) {
+    Traced& one = traced[i];
+    const bool has_hit =
+        hits.object[i] == options_.object && hits.t[i] < std::numeric_limits<double>::infinity();
+    one.ray = clip(rays, i, bounds_);
+    if (next && has_hit) one.ray.near = std::max(one.ray.near, hits.t_hi[i]);
+    one.begin = one.ray.near;
+    one.active = !one.ray.misses() && (has_hit || !next);
+    one.carried = next || rays.start_object[i] == options_.object;
+    one.doubt = false;
+    one.sides = next ? sides_behind(hits, i) : rays.start_sides[i];
+    if (next && has_hit) hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = std::numeric_limits<double>::infinity();
+  }
+  for (int part = 1; part <= parts_; ++part)
+    trace_part(query, double(part) / parts_, rays, traced, hits, counts);
+}
+
+// The part of the rays that ends at `end`, a share of their way through the box.
+template <class T>
+void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const RayStream& rays,
+                                 Traced* traced, HitStream& hits, TraceCounts& counts) const {
   SegmentStream<T> segments;
-  ClippedRay clipped[kStreamSize];
+  ClippedRay pieces[kStreamSize];
   segments.size = rays.size;
   bool any_active = false;
   for (int i = 0; i < rays.size; ++i) {
-    const bool has_hit =
-        hits.object[i] == options_.object && hits.t[i] < std::numeric_limits<double>::infinity();
-    const ClippedRay ray = clipped[i] = clip(rays, i, bounds_);
-    const bool active = segments.active[i] = !ray.misses() && (has_hit || !next);
-    any_active = any_active || active;
-    if (active) {
-      segments.begin[i] = next ? static_cast<T>(hits.s_hi[i]) : T(0);
-      segments.carried[i] = next || rays.start_object[i] == options_.object;
-      segments.sides[i] = next ? sides_behind(hits, i) : rays.start_sides[i];
-      set_segment(segments, i, ray, rays.kind == RayKind::shadow ? shadow_eps_ : eps_);
-    }
-    if (next && has_hit) hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = std::numeric_limits<double>::infinity();
+    const Traced& one = traced[i];
+    ClippedRay& piece = pieces[i] = one.ray;
+    piece.near = one.begin;
+    if (end < 1) piece.far = one.ray.near + end * (one.ray.far - one.ray.near);
+    segments.active[i] = one.active && !piece.misses();
+    if (!segments.active[i]) continue;
+    any_active = true;
+    segments.begin[i] = T(0);
+    segments.carried[i] = one.carried;
+    segments.sides[i] = one.sides;
+    set_segment(segments, i, piece, rays.kind == RayKind::shadow ? shadow_eps_ : eps_);
   }
   if (!any_active) return;
   for (int first = 0; first < rays.size; first += kPacketSize)
-    segments.together[first / kPacketSize] = query.options.packets && march_together(segments, first);
+    segments.together[first / kPacketSize] = whole.options.packets && march_together(segments, first);
 
   const FormulaSolver<T>& solver = formula_kernels(options_.isa).solver<T>(options_.method.method);
+  FormulaQuery<T> query = whole;
+  if (prunes_) query.tape = pruned_for(segments).view();
   SegmentRoots<T> roots;
   solver.solve(query, segments, roots, registers_of(tape_.registers * solver.register_bytes));
   for (int i = 0; i < rays.size; ++i) {
     if (!segments.active[i]) continue;
     hits.cost[i] += roots.evaluations[i];
     counts.evaluations += roots.evaluations[i];
-    if (!roots.hit[i]) {
-      if (!roots.proved[i] && proves()) hits.certificate[i] = Certificate::undecided;
+    Traced& one = traced[i];
+    const ClippedRay& piece = pieces[i];
+    const auto t_at = [&](T s) { return piece.near + static_cast<double>(s) * (piece.far - piece.near); };
+    if (roots.hit[i] && !roots.proved[i] && proves() && roots.s_hi[i] >= T(1) && end < 1) {
+      // the next part tells what it is
+      one.begin = std::max(one.begin, t_at(roots.s_lo[i]));
       continue;
     }
-    const ClippedRay& ray = clipped[i];
-    const auto t_at = [&](T s) { return ray.near + static_cast<double>(s) * (ray.far - ray.near); };
+    one.active = !roots.hit[i];
+    one.doubt = one.doubt || !roots.proved[i];
+    one.begin = piece.far;
+    one.carried = false;
+    if (!roots.hit[i]) {
+      if (one.doubt && proves()) hits.certificate[i] = Certificate::undecided;
+      continue;
+    }
     const double t = t_at(roots.s[i]);
     if (!(t < hits.t[i])) continue;
     hits.t[i] = t;
     // what the roundings of t_at can make
-    const double slack = 0x1p-51 * std::max(std::abs(ray.near), std::abs(ray.far));
+    const double slack = 0x1p-51 * std::max(std::abs(piece.near), std::abs(piece.far));
     hits.t_lo[i] = t_at(roots.s_lo[i]) - slack;
     hits.t_hi[i] = t_at(roots.s_hi[i]) + slack;
-    hits.s[i] = static_cast<double>(roots.s[i]);
-    hits.s_hi[i] = static_cast<double>(roots.s_hi[i]);
     hits.iso[i] = roots.iso[i];
     hits.object[i] = options_.object;
     hits.sides[i] = roots.sides[i];
-    if (options_.components)
-      hits.cell[0][i] = components_.at(
-          Double3{rays.ox[i], rays.oy[i], rays.oz[i]} + t * Double3{rays.dx[i], rays.dy[i], rays.dz[i]},
-          options_.time);
-    hits.certificate[i] = !proves()         ? Certificate::no_proof
-                          : roots.proved[i] ? Certificate::proved_hit
-                                            : Certificate::undecided;
+    if (options_.components) hits.cell[0][i] = components_.at(piece.o + t * piece.d, options_.time);
+    hits.certificate[i] = !proves()   ? Certificate::no_proof
+                          : one.doubt ? Certificate::undecided
+                                      : Certificate::proved_hit;
   }
+}
+
+// The tape without what it does not need where the segments lie.
+template <class T> const Tape& ImplicitSurface::pruned_for(const SegmentStream<T>& segments) const {
+  Interval<double> box[3];
+  for (int a = 0; a < 3; ++a) {
+    double lo = kInfinity<double>, hi = -lo;
+    for (int i = 0; i < segments.size; ++i) {
+      if (!segments.active[i]) continue;
+      const double e = segments.e[a][i], f = e + segments.d[a][i], slack = 2.0 * segments.slack[a][i];
+      lo = std::min({lo, e - slack, f - slack}), hi = std::max({hi, e + slack, f + slack});
+    }
+    box[a] = Interval<double>(lo, hi);
+  }
+  thread_local Pruner<T> pruner;
+  const bool sides = proves() && options_.method.options.delta == 0;
+  return pruner.prune(tape_, box, options_.time,
+                      sides ? std::span<const double>(options_.iso) : std::span<const double>());
+}
+
+// Into how many parts rays are cut so that pruning pays: where it leaves little of the tape in small boxes.
+void ImplicitSurface::plan_pruning() {
+  const auto choices = std::ranges::count_if(tape_.code, [](const Instruction& i) {
+    return i.op == Op::min || i.op == Op::max || i.op == Op::choose;
+  });
+  prunes_ = options_.method.prune && choices > 0;
+  parts_ = 1;
+  if (!prunes_) return;
+  constexpr int kBoxes = 8, kParts = 8;
+  double left = 0;
+  int boxes = 0;
+  Pruner<float> pruner;
+  for (int n = 0; n < kBoxes * kBoxes * kBoxes; n += 5) {
+    Interval<double> box[3];
+    const int place[3] = {n % kBoxes, n / kBoxes % kBoxes, n / (kBoxes * kBoxes)};
+    for (int a = 0; a < 3; ++a) {
+      const double edge = (bounds_.hi[a] - bounds_.lo[a]) / kBoxes, lo = bounds_.lo[a] + place[a] * edge;
+      box[a] = Interval<double>(lo, lo + edge);
+    }
+    left += tape_cost(pruner.prune(tape_, box, options_.time, options_.iso), false);
+    ++boxes;
+  }
+  const double share = left / boxes / tape_cost(tape_, false);
+  prunes_ = share < 0.9;
+  if (share < 0.75) parts_ = kParts;
 }
 
 void ImplicitSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {

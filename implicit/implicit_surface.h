@@ -53,6 +53,12 @@ class ImplicitSurface final : public Surface {
  private:
   template <class T> [[nodiscard]] FormulaQuery<T> make_query() const;
   [[nodiscard]] Double3 difference_normal(const Double3& p, double distance) const;
+  struct Traced;
+  void plan_pruning();
+  template <class T> [[nodiscard]] const Tape& pruned_for(const SegmentStream<T>& segments) const;
+  template <class T>
+  void trace_part(const FormulaQuery<T>& whole, double end, const RayStream& rays, Traced* traced,
+                  HitStream& hits, TraceCounts& counts) const;
   template <class T>
   void trace(const FormulaQuery<T>& query, bool next, const RayStream& rays, HitStream& hits,
              TraceCounts& counts) const;
@@ -64,6 +70,8 @@ class ImplicitSurface final : public Surface {
   ImplicitSurfaceOptions options_;
   FormulaQuery<float> float_query_ = {};
   FormulaQuery<double> double_query_ = {};
+  bool prunes_ = false;
+  int parts_ = 1;
   double eps_ = 0, shadow_eps_ = 0;
 };
 

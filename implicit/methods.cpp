@@ -24,6 +24,14 @@ constexpr MethodOption kNormalStep = {
     "normal-step", 1, 0x1p-20, 0x1p20, false, "eps", "stencil of --normals difference"};
 constexpr MethodOption kNormalGrows = {
     "normal-grows", 0, 0, 1, true, "", "1: that stencil times the distance over the domain's longest edge"};
+constexpr MethodOption kPrune = {
+    "prune",
+    1,
+    0,
+    1,
+    true,
+    "",
+    "1: where min, max or if is decided the formula is run without what it does not need"};
 constexpr MethodOption kTrim = {
     "trim", 1, 0, 1, true, "", "1: what a form proves empty of a part is left out before it is divided"};
 
@@ -52,10 +60,11 @@ constexpr MethodOption kOffset = {"offset",
                                   "",
                                   "added to every iso-value: fattens a surface that is only touched"};
 
-constexpr MethodOption kInterval[] = {kEps, kEpsRel, kDelta, kBisection, kShadow, kNormalStep, kNormalGrows};
-constexpr MethodOption kAffine[] = {kEps,  kEpsRel, kDelta,      kBisection,
-                                    kTrim, kShadow, kNormalStep, kNormalGrows};
-constexpr MethodOption kDerivative[] = {kEps, kEpsRel, kDelta, kShadow, kNormalStep, kNormalGrows};
+constexpr MethodOption kInterval[] = {kEps,    kEpsRel,     kDelta,       kBisection,
+                                      kShadow, kNormalStep, kNormalGrows, kPrune};
+constexpr MethodOption kAffine[] = {kEps,    kEpsRel,     kDelta,       kBisection, kTrim,
+                                    kShadow, kNormalStep, kNormalGrows, kPrune};
+constexpr MethodOption kDerivative[] = {kEps, kEpsRel, kDelta, kShadow, kNormalStep, kNormalGrows, kPrune};
 constexpr MethodOption kMarching[] = {
     kStep,
     tau("tau1", "where |f - iso| is at most this, half a step; 0: the median gradient times the base step"),
@@ -65,7 +74,8 @@ constexpr MethodOption kMarching[] = {
     kHalvings,
     kOffset,
     kNormalStep,
-    kNormalGrows};
+    kNormalGrows,
+    kPrune};
 
 constexpr const char* kMitchell =
     "Mitchell: Robust ray intersection with interval arithmetic, Graphics Interface 1990";
@@ -109,6 +119,7 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   choice.normal_step = value("normal-step", 1);
   choice.normal_grows = value("normal-grows", 0) != 0;
   FormulaOptions& options = choice.options;
+  choice.prune = value("prune", 1) != 0;
   options.delta = value("delta", 0);
   options.trim = value("trim", 1) != 0;
   options.packets = value("bisection", 0) == 1;

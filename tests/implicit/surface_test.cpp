@@ -1,4 +1,5 @@
 // ImplicitSurface: what it proves is true, the same bits on every instruction set, all crossings in order.
+#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/implicit/expression/parse.h>
 #include <isocast/implicit/implicit_surface.h>
@@ -288,6 +289,62 @@ TEST_CASE("marching points find the sphere's crossings, prove nothing, and touch
   CHECK(std::isinf(look(kMarching[0], "(x - 0.123)^2", 0)));
   CHECK(look(kMarching[0], "(x - 0.123)^2", 0.01) == Approx(1.923).epsilon(1e-3));
   CHECK(look(kMarching[1], "(x - 0.123)^2", 0) == Approx(2.023).epsilon(1e-2));
+}
+
+TEST_CASE("pruned tapes prove what whole ones do") {
+  std::mt19937_64 random(7);
+  std::string balls;
+  std::uniform_real_distribution<double> place(-1.8, 1.8);
+  for (int i = 0; i < 40; ++i)
+    balls = fmt::format("{}(x - {:.3f})^2 + (y - {:.3f})^2 + (z - {:.3f})^2 - 0.09{}",
+                        i ? "min(" + balls + ", " : "", place(random), place(random), place(random),
+                        i ? ")" : "");
+  for (const std::string& formula :
+       {balls, std::string("max(x^2 + y^2 + z^2 - 2, max(-x^2 - y^2 + 0.3, min(abs(y) - 0.4, z^3 - 0.1)))"),
+        std::string("if(x > 0.2, x^2 + y^2 - 1, abs(x)*y + z^2 - 0.3)")})
+    for (const Choice& method : kProving) {
+      INFO(formula.substr(0, 40) << " " << method.method << " " << method.key);
+      ImplicitSurfaceOptions options = options_of(method, true);
+      const ImplicitSurface pruned = surface_of(formula, options);
+      options.method.prune = false;
+      const ImplicitSurface whole = surface_of(formula, options);
+      int both = 0;
+      for (int round = 0; round < 3; ++round) {
+        const auto s = random_streams(random);
+        const HitStream a = first_hits(pruned, s->rays), b = first_hits(whole, s->rays);
+        for (int i = 0; i < s->rays.size; ++i) {
+          if (a.certificate[i] == Certificate::undecided || b.certificate[i] == Certificate::undecided)
+            continue;
+          REQUIRE(a.certificate[i] == b.certificate[i]);
+          if (a.certificate[i] != Certificate::proved_hit) continue;
+          REQUIRE(a.t_lo[i] <= b.t_hi[i]);
+          REQUIRE(b.t_lo[i] <= a.t_hi[i]);
+          ++both;
+        }
+      }
+      CHECK(both > 50);
+    }
+}
+
+TEST_CASE("hits know the component of a solid, and difference normals come near the gradient's") {
+  ImplicitSurfaceOptions options = options_of(kProving[2], true);
+  options.components = true;
+  options.normals = NormalKind::difference;
+  const ImplicitSurface surface =
+      surface_of("max(min((x - 1)^2 + y^2 + z^2 - 0.5, (x + 1)^2 + y^2 + z^2 - 0.5), -(z - 0.1))", options);
+  CHECK(surface.component_count() == 3);
+  auto s = make_streams();
+  add_ray(s->rays, {1, 0, 3}, {0, 0, -1});
+  add_ray(s->rays, {-1, 0, 3}, {0, 0, -1});
+  add_ray(s->rays, {1, 0, -3}, {0, 0, 1});
+  const HitStream hits = first_hits(surface, s->rays);
+  const auto dressed = std::make_unique<DressedHits>();
+  surface.dress(s->rays, hits, {true, false, false}, *dressed);
+  for (int i = 0; i < 3; ++i) {
+    CHECK(hits.cell[0][i] == i);
+    CHECK(dressed->normal[2][i] == Approx(i == 2 ? -1 : 1));
+    CHECK(dressed->normal[0][i] == Approx(0).margin(1e-6));
+  }
 }
 
 TEST_CASE("formulas and options that cannot be used are refused in one sentence") {
