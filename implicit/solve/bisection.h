@@ -159,15 +159,18 @@ template <class F, Real R> class Bisection {
     part.near = levels.near, part.far = levels.far, part.resume = levels.resume;
     const Mask<R> known = lanes_of<R>(slots_.known, p);
     const Mask<R> fits = (!known) | (below(p, levels.iso) == levels.rises);
-    const Mask<R> narrow = part.busy & (!part.empty) & (levels.first_far - levels.near <= smallest);
-    part.accepted = part.proved = narrow & levels.alone() & fits & !is_open(p);
+    const R length = levels.first_far - levels.near;
+    const Mask<R> narrow = part.busy & (!part.empty) & (length <= smallest);
+    // trimmed once more where that is worth it: the bracket shrinks quadratically
+    const Mask<R> final = (part.hi - part.lo <= smallest) | (length <= smallest * R(T(0x1p-8)));
+    part.accepted = part.proved = narrow & final & levels.alone() & fits & !is_open(p);
     part.root = levels;
     // a start on the surface is no crossing: f has its side already
     const Mask<R> start = narrow & levels.crosses & (!fits) & at_known_start(p, part.lo);
     part.hi = select(start, max(levels.first_far, part.lo), part.hi);
     part.empty = part.empty | start;
     const Mask<R> rest = part.busy & !(part.empty | part.accepted);
-    part.small = rest & (part.hi - part.lo <= smallest);
+    part.small = rest & ((part.hi - part.lo <= smallest) | is_open(p));
     if (query_.options.derivative == Derivative::of_all) part.small = rest;
   }
   ISO_HD R smallest_part(int p) const { return max(get(kSmallestPart, p), R(kLeast<T>)); }
@@ -276,8 +279,9 @@ template <class F, Real R> class Bisection {
     part.empty = part.empty & !where;
     part.small = part.small & !where;
   }
-  // Behind what was held open f has sides again, at s: other ones than in front of it prove a crossing. The
-  // same behind a start on the surface mean that nothing was there.
+  // Behind what was held open f has sides again, at s: other ones than in front of it prove a crossing,
+  // though one that lies anywhere in much more than the smallest part is not called proved. The same behind a
+  // start on the surface mean that nothing was there.
   ISO_HD void close(int p, Part<R>& part, Mask<R> where, const Interval<R>& f, R s) {
     Mask<R> changes = Mask<R>(false), several = changes, rises = changes;
     R iso = get(kOpenIso, p);
@@ -302,7 +306,9 @@ template <class F, Real R> class Bisection {
     part.root.replace(where, root);
     part.accepted = part.accepted | where;
     part.empty = part.empty & !where;
-    const Mask<R> told = (!start) & lanes_of<R>(slots_.known, p) & lanes_of<R>(slots_.smooth, p) & f.defined;
+    const Mask<R> narrow = root.first_far - root.near <= max(R(T(16)) * smallest_part(p), R(T(0x1p-10)));
+    const Mask<R> told =
+        narrow & (!start) & lanes_of<R>(slots_.known, p) & lanes_of<R>(slots_.smooth, p) & f.defined;
     part.proved = select(where, told & changes & !several, part.proved);
   }
 

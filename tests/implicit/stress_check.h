@@ -16,7 +16,7 @@ using reference::FormulaReference, reference::FormulaRoots;
 
 inline constexpr int kRays = 64;
 /// Evaluations that one ray may take: parts that are judged, and the divisions around them.
-inline constexpr std::uint32_t kMostEvaluations = 1 << 13;
+inline constexpr std::uint32_t kMostEvaluations = 1 << 14;
 inline constexpr const char* kProving[] = {"interval", "affine", "mitchell", "interval-newton"};
 inline constexpr const char* kMarching[] = {"amp-sign", "amp-taylor"};
 

@@ -24,7 +24,7 @@ inline constexpr UndecidedShare kOfAnySurface = {"", 0, 0};
 inline constexpr UndecidedShare kExceptions[] = {
     {"high_silhouette", 12, 6},
     {"nonisol", 8, 6},
-    {"sarti_dodecic", 3, 3},
+    {"sarti_dodecic", 60, 3},
     {"trilinear_cell", 4, 1},
 };
 
