@@ -1,5 +1,5 @@
 #include <isocast/implicit/ray_segments.h>
-#include <isocast/math/interval.h>
+#include <isocast/math/rounding.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,33 +25,25 @@ ClippedRay clip(const RayStream& rays, int i, const Box& box) {
   return ray;
 }
 
-namespace {
-
-// The number nearest to the middle of x, and the half width of what lies between it and x's ends.
-template <class T> void enclose(const Interval<double>& x, T& middle, double& radius) {
-  middle = static_cast<T>(0.5 * x.lo + 0.5 * x.hi);
-  radius = std::max(x.hi - static_cast<double>(middle), static_cast<double>(middle) - x.lo);
-}
-
-}  // namespace
-
 template <class T> void set_segment(SegmentStream<T>& segments, int i, const ClippedRay& ray, double eps) {
   double squared = 0;
   for (int a = 0; a < 3; ++a) {
-    const Interval<double> o(ray.o[a]), d(ray.d[a]), near(ray.near), far(ray.far), start = o + near * d,
-                                                                                   span = (far - near) * d;
-    T& e_T = segments.e[a][i];
-    T& d_T = segments.d[a][i];
-    double e_radius = 0, d_radius = 0;
-    enclose(start, e_T, e_radius);
-    enclose(span, d_T, d_radius);
+    // doubles and what their roundings make: the true start and span lie within the radius
+    const double offset = ray.near * ray.d[a], start = ray.o[a] + offset,
+                 span = (ray.far - ray.near) * ray.d[a];
+    const T e_T = segments.e[a][i] = static_cast<T>(start), d_T = segments.d[a][i] = static_cast<T>(span);
+    const double radius = 0x1p-51 * (std::abs(offset) + std::abs(start) + std::abs(span)) + 0x1p-1070 +
+                          std::abs(start - static_cast<double>(e_T)) +
+                          std::abs(span - static_cast<double>(d_T));
     // what RayPart rounds: at most eight times the unit roundoff of |e| + |d|
     const double size = std::abs(static_cast<double>(e_T)) + std::abs(static_cast<double>(d_T));
-    const double slack = e_radius + d_radius + 5.0 * kSpacing<T> * size + 4.0 * kSmallest<T>;
+    const double slack = radius + 5.0 * kSpacing<T> * size + 4.0 * kSmallest<T>;
     segments.slack[a][i] = std::nextafter(static_cast<T>(slack), kInfinity<T>);
-    if (!(size <= kLargest<T>)) e_T = d_T = 0, segments.slack[a][i] = kInfinity<T>;
-    const double longest = std::max(std::abs(span.lo), std::abs(span.hi));
-    squared += longest * longest;
+    if (!(size <= kLargest<T>)) {
+      segments.e[a][i] = segments.d[a][i] = 0;
+      segments.slack[a][i] = kInfinity<T>;
+    }
+    squared += span * span;
   }
   segments.smallest[i] = static_cast<T>(std::min(0x1p100, eps / std::sqrt(squared)));
   segments.k_offset[i] = 0;
