@@ -2,8 +2,7 @@
 // hold none.
 #pragma once
 
-#include <isocast/implicit/solve/slots.h>
-#include <isocast/implicit/solve/verdict.h>
+#include <isocast/implicit/solve/enquiry.h>
 
 namespace isocast::inline ISO_ISA {
 
@@ -202,45 +201,38 @@ template <class F, Real R> class Bisection {
 
   // Asks f's derivative about small parts, and its values at their ends.
   ISO_HD void judge(const int* packs, Part<R>* parts, int count) {
-    Slope<R> slopes[kPacks];
-    Interval<R> at_far[kPacks];
     bool ask_near = false;
     for (int n = 0; n < count; ++n) {
       parts[n].widen(smallest_part(packs[n]));
       ask_near = ask_near || any(parts[n].small & !lanes_of<R>(slots_.known, packs[n]));
     }
-    const auto whole = [](const Part<R>& part) { return RayPart<R>(part.near, part.end); };
-    const auto first = [](const Part<R>& part) { return RayPart<R>(part.near, part.near); };
-    const auto last = [](const Part<R>& part) { return RayPart<R>(part.end, part.end); };
-    const G* const g = evaluate_over<G>(packs, parts, count, whole);
-    for (int n = 0; n < count; ++n) slopes[n] = slope_along(packs[n], g[n]);
-    const Interval<R>* f = evaluate_over<Interval<R>>(packs, parts, count, last);
-    for (int n = 0; n < count; ++n) at_far[n] = f[n];
-    if (ask_near) f = evaluate_over<Interval<R>>(packs, parts, count, first);
+    const Enquiry<R> enquiry(query_, registers_, slots_, packs, parts, count, ask_near);
     for (int n = 0; n < count; ++n) {
       const int p = packs[n];
       Part<R>& part = parts[n];
+      const Slope<R> slope = enquiry.slope(n);
+      const Interval<R> at_end = enquiry.at_end(n);
       const Mask<R> unknown = part.small & !lanes_of<R>(slots_.known, p);
       slots_.add(kRuns, p, part.small, 2);
       slots_.add(kRuns, p, unknown, 1);
       slots_.add(kJudged, p, part.small & (part.hi - part.lo <= smallest_part(p)), 1);
-      if (ask_near) note_sides(p, unknown & !is_open(p), f[n]);
+      if (ask_near) note_sides(p, unknown & !is_open(p), enquiry.at_near(n));
       const Mask<R> enough = get(kJudged, p) > R(T(kMostJudged));
       const Mask<R> last_look = (part.hi - part.lo <= R(kLeast<T>)) | enough;
-      const Mask<R> held = part.small & is_open(p), close_here = held & sides_known(at_far[n]);
+      const Mask<R> held = part.small & is_open(p), close_here = held & sides_known(at_end);
       part.small = part.small & !held;
-      decide(part, slopes[n], ends_of(p, at_far[n]), last_look, smallest_part(p));
+      decide(part, slope, ends_of(p, at_end), last_look, smallest_part(p));
       part.stuck = part.stuck | (held & !close_here);
       if (any(close_here)) {
-        put_lanes<R>(slots_.smooth, p, lanes_of<R>(slots_.smooth, p) & (slopes[n].continuous | !close_here));
+        put_lanes<R>(slots_.smooth, p, lanes_of<R>(slots_.smooth, p) & (slope.continuous | !close_here));
         part.hi = select(close_here, part.end, part.hi);
-        close(p, part, close_here, at_far[n], part.end);
+        close(p, part, close_here, at_end, part.end);
       }
-      note_sides(p, part.small & part.empty & !part.doubt, at_far[n]);
+      note_sides(p, part.small & part.empty & !part.doubt, at_end);
       forget_sides(p, part.doubt & !part.finite);
       part.over = part.doubt & enough;
       doubt(p, part.doubt);
-      hold_open(p, part, slopes[n].continuous, enough);
+      hold_open(p, part, slope.continuous, enough);
     }
   }
 

@@ -1,0 +1,116 @@
+// What f and its derivative are over small parts of rays.
+#pragma once
+
+#include <isocast/implicit/solve/slots.h>
+#include <isocast/implicit/solve/verdict.h>
+
+namespace isocast::inline ISO_ISA {
+
+/// Evaluates f for the lanes that ask only, side by side in as few packs as hold them: derivatives are dear,
+/// and few lanes of a pack ask at a time.
+template <Real R> class Enquiry {
+  using T = Scalar<R>;
+  using G = Gradient<Interval<R>>;
+  static constexpr int kPacks = Slots<R>::kPacks, kW = kWidth<R>;
+
+ public:
+  static constexpr std::size_t kRegisterBytes = kPacks * sizeof(G);
+
+  /// For the small lanes of parts[n], whose rays are in pack packs[n]: the slope from near to end, f at end
+  /// and, if `near_too`, at near.
+  ISO_HD Enquiry(const FormulaQuery<T>& query, void* registers, const Slots<R>& slots, const int* packs,
+                 const Part<R>* parts, int count, bool near_too)
+      : query_(query), registers_(registers) {
+    gather(slots, packs, parts, count);
+    const G* const g = evaluate<G>(near_, end_);
+    for (int q = 0; q < dense_; ++q) {
+      Interval<R> d[3];
+      for (int a = 0; a < 3; ++a) {
+        const R middle = get(kDx + a, q), slack = get(kWx + a, q);
+        d[a] = Interval<R>(middle - slack, middle + slack);
+      }
+      scatter(q, kSlope, g[q].dx * d[0] + g[q].dy * d[1] + g[q].dz * d[2]);
+      scatter_bits(q, smooth_, g[q].value.continuous);
+    }
+    const Interval<R>* f = evaluate<Interval<R>>(end_, end_);
+    for (int q = 0; q < dense_; ++q) scatter(q, kEnd, f[q]);
+    if (!near_too) return;
+    f = evaluate<Interval<R>>(near_, near_);
+    for (int q = 0; q < dense_; ++q) scatter(q, kNear, f[q]);
+  }
+
+  /// The answers to parts[n]; lanes that did not ask hold nothing of use.
+  ISO_HD Slope<R> slope(int n) const { return {answer(kSlope, n), lanes_of<R>(smooth_, n)}; }
+  ISO_HD Interval<R> at_end(int n) const { return answer(kEnd, n); }
+  ISO_HD Interval<R> at_near(int n) const { return answer(kNear, n); }
+
+ private:
+  enum Question { kSlope, kEnd, kNear, kQuestions };
+
+  ISO_HD R get(int row, int q) const { return load<R>(rows_[row] + q * kW); }
+
+  ISO_HD void gather(const Slots<R>& slots, const int* packs, const Part<R>* parts, int count) {
+    int asked = 0;
+    for (int n = 0; n < count; ++n) {
+      T near[kW], end[kW];
+      store(near, parts[n].near), store(end, parts[n].end);
+      for (unsigned rest = bits_of(parts[n].small); rest; rest &= rest - 1) {
+        const int l = __builtin_ctz(rest);
+        for (int row = kEx; row <= kWz; ++row) rows_[row][asked] = slots.field[row][packs[n] * kW + l];
+        near_[asked] = near[l], end_[asked] = end[l];
+        place_[asked++] = n * kW + l;
+      }
+    }
+    dense_ = (asked + kW - 1) / kW;
+    for (int l = asked; l < dense_ * kW; ++l) {
+      for (int row = kEx; row <= kWz; ++row) rows_[row][l] = rows_[row][asked - 1];
+      near_[l] = near_[asked - 1], end_[l] = end_[asked - 1];
+      place_[l] = place_[asked - 1];
+    }
+  }
+
+  template <class Kind> ISO_HD const Kind* evaluate(const T* from, const T* to) {
+    Kind inputs[4 * kPacks];
+    for (int q = 0; q < dense_; ++q) {
+      const RayPart<R> part(load<R>(from + q * kW), load<R>(to + q * kW));
+      for (int a = 0; a < 3; ++a)
+        part.coordinate(get(kEx + a, q), get(kDx + a, q), get(kWx + a, q), a, inputs[a * kPacks + q]);
+      inputs[3 * kPacks + q] = constant_as({query_.time, true}, Kind{});
+    }
+    return evaluate_some<kPacks>(query_.tape, static_cast<const Kind*>(inputs),
+                                 static_cast<Kind*>(registers_), dense_);
+  }
+
+  ISO_HD void scatter(int q, Question question, const Interval<R>& y) {
+    T lo[kW], hi[kW];
+    store(lo, y.lo), store(hi, y.hi);
+    for (int l = 0; l < kW; ++l) {
+      lo_[question][place_[q * kW + l]] = lo[l];
+      hi_[question][place_[q * kW + l]] = hi[l];
+    }
+    scatter_bits(q, defined_[question], y.defined);
+    scatter_bits(q, continuous_[question], y.continuous);
+    scatter_bits(q, empty_[question], y.empty);
+  }
+  ISO_HD void scatter_bits(int q, SlotBits& bits, Mask<R> mask) const {
+    const unsigned set = bits_of(mask);
+    for (int l = 0; l < kW; ++l) {
+      const int place = place_[q * kW + l];
+      bits = (bits & ~(SlotBits(1) << place)) | SlotBits(set >> l & 1) << place;
+    }
+  }
+  ISO_HD Interval<R> answer(Question question, int n) const {
+    return Interval<R>(load<R>(lo_[question] + n * kW), load<R>(hi_[question] + n * kW),
+                       lanes_of<R>(defined_[question], n), lanes_of<R>(continuous_[question], n),
+                       lanes_of<R>(empty_[question], n));
+  }
+
+  const FormulaQuery<T>& query_;
+  void* registers_;
+  alignas(64) T rows_[kWz + 1][kSlots], near_[kSlots], end_[kSlots];
+  alignas(64) T lo_[kQuestions][kSlots] = {}, hi_[kQuestions][kSlots] = {};
+  SlotBits defined_[kQuestions] = {}, continuous_[kQuestions] = {}, empty_[kQuestions] = {}, smooth_ = 0;
+  int place_[kSlots], dense_ = 0;
+};
+
+}  // namespace isocast::inline ISO_ISA
