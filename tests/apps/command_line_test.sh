@@ -43,6 +43,7 @@ cmp -s sheet.png again.png && fail "surfaces -o: the same sheet with another met
 expect 0 '"left_out"' render tangle.nrrd --iso 0 --size 64x48 -o tangle.png --stats -
 expect 0 "" render gyroid_33x33x33_uint8.raw --size 64x48 --iso 100,140 --colors '#ff0000,#00ff00' --ortho 40 -o gyroid.png
 expect 0 '"transparency:4"' render tangle.nrrd --iso 0,3 --opacity 0.4,0.8 --size 64x48 -o clear.png --stats -
+expect 0 '"components"' render "max(x^2+y^2+z^2-1, 0.3-x^2-y^2)" --domain -1.2,1.2 --color-components --normals difference --size 64x48 -o bead.png --stats -
 expect 0 '"reflections:1"' render tangle.nrrd --iso 0 --reflectivity 0.5 --environment clear.png --size 64x48 -o mirror.png --stats -
 expect 0 '"lights:3"' render tangle.nrrd --iso 0 --light 1,0,0 --light -1,0,0 --light 0,0,1 --size 64x48 -o lights.png --stats -
 
@@ -71,6 +72,7 @@ expect 2 "parameter" render @sphere --param none=1 -o a.png
 expect 2 "expected them for a formula" render tangle.nrrd --time 1 -o a.png
 expect 2 "interval, affine" render "x^2-1" --method marmitt -o a.png
 expect 2 "--opacity: found 1.5, expected numbers from 0 to 1" render tangle.nrrd --opacity 0.5,1.5 -o a.png
+expect 2 "found --color-components for a volume, expected it for a formula" render tangle.nrrd --color-components -o a.png
 expect 2 "--reflectivity: found 'much'" render tangle.nrrd --reflectivity much -o a.png
 expect 2 "not in range 1 to 64" render tangle.nrrd --transparency-depth 0 -o a.png
 expect 2 "not in range 0 to 16" render tangle.nrrd --reflections 17 -o a.png
