@@ -3,6 +3,7 @@
 #pragma once
 
 #include <isocast/implicit/solve/enquiry.h>
+#include <isocast/implicit/solve/held_open.h>
 
 namespace isocast::inline ISO_ISA {
 
@@ -35,7 +36,13 @@ template <class F, Real R> class Bisection {
 
   ISO_HD Bisection(const FormulaQuery<T>& query, const SegmentStream<T>& stream, SegmentRoots<T>& roots,
                    void* registers)
-      : query_(query), stream_(stream), roots_(roots), registers_(registers), isos_(query.iso_count) {}
+      : query_(query),
+        stream_(stream),
+        roots_(roots),
+        registers_(registers),
+        isos_(query.iso_count),
+        rays_(query, roots),
+        held_(rays_) {}
 
   /// Fills the roots of all active rays.
   ISO_HD void run() {
@@ -49,12 +56,12 @@ template <class F, Real R> class Bisection {
     const bool newton = query_.options.derivative == Derivative::newton;
     return !together_ && ((query_.options.trim && kTrims<F>) || newton);
   }
-  ISO_HD R get(Field field, int p) const { return slots_.get(field, p); }
+  ISO_HD R get(Field field, int p) const { return rays_.get(field, p); }
 
   ISO_HD void run_those_that_march(bool together) {
     together_ = together;
     next_ = 0;
-    for (refill(); slots_.busy != 0; refill()) round();
+    for (refill(); rays_.busy != 0; refill()) round();
   }
   // Starts the next ray of the stream, or packet of rays, and tells whether it was one to start.
   ISO_HD bool start(int slot, int rays) {
@@ -62,7 +69,7 @@ template <class F, Real R> class Bisection {
     for (int l = 0; l < rays && next_ + l < stream_.size; ++l) {
       const int i = next_ + l;
       if (!stream_.active[i] || stream_.together[i / kPacketSize] != together_) continue;
-      slots_.start(stream_, i, slot + l, isos_);
+      rays_.start(stream_, i, slot + l, isos_);
       roots_.hit[i] = false;
       roots_.proved[i] = started = true;
     }
@@ -74,15 +81,15 @@ template <class F, Real R> class Bisection {
     const int rays = together_ ? kPacketSize : 1;
     const SlotBits all = (SlotBits(1) << rays) - 1;
     for (int slot = 0; slot < kSlots && next_ < stream_.size; slot += rays)
-      while (!(slots_.busy >> slot & all) && next_ < stream_.size) start(slot, rays);
-    if (!together_) slots_.close_ranks(isos_);
+      while (!(rays_.busy >> slot & all) && next_ < stream_.size) start(slot, rays);
+    if (!together_) rays_.close_ranks(isos_);
   }
 
   // One evaluation for every ray in work.
   ISO_HD void round() {
     int packs[kPacks], count = 0;
     for (int p = 0; p < kPacks; ++p)
-      if (any(lanes_of<R>(slots_.busy, p))) packs[count++] = p;
+      if (any(lanes_of<R>(rays_.busy, p))) packs[count++] = p;
     Part<R> parts[kPacks];
     for (int n = 0; n < count; ++n) propose(packs[n], parts[n]);
     const F* const f = evaluate_over<F>(packs, parts, count,
@@ -126,7 +133,7 @@ template <class F, Real R> class Bisection {
     part.lo = free() ? begin : max(begin, place(p, k));
     const R end = free() ? begin + w : place(p, k + w);
     part.hi = max(min(select(part.lo < cut, min(end, cut), end), R(1)), part.lo);
-    part.busy = lanes_of<R>(slots_.busy, p);
+    part.busy = lanes_of<R>(rays_.busy, p);
     part.reach = get(kReach, p);
   }
 
@@ -134,46 +141,44 @@ template <class F, Real R> class Bisection {
   ISO_HD void classify(int p, const F& f, Part<R>& part) {
     const Interval<R> range = interval_of(f);
     const Mask<R> nothing = part.lo >= part.hi, out = leaves_out(range, query_);
-    slots_.add(kRuns, p, part.busy & !nothing, 1);
+    rays_.add(kRuns, p, part.busy & !nothing, 1);
     part.empty = nothing | out;
     part.finite = (range.lo > R(-kLargest<T>)) & (range.hi < R(kLargest<T>));
-    const Mask<R> behind = part.busy & out & (!nothing) & (!range.empty) & is_open(p);
-    note_sides(p, part.busy & out & !(nothing | behind), range);
-    const Mask<R> unknown = part.busy & !(part.empty | is_open(p) | lanes_of<R>(slots_.known, p));
-    if (any(unknown)) note_sides(p, unknown, near_end_of(f));
+    const Mask<R> behind = part.busy & out & (!nothing) & (!range.empty) & held_.is_open(p);
+    rays_.note_sides(p, part.busy & out & !(nothing | behind), range);
+    const Mask<R> unknown = part.busy & !(part.empty | held_.is_open(p) | lanes_of<R>(rays_.known, p));
+    if (any(unknown)) rays_.note_sides(p, unknown, near_end_of(f));
     take(p,
          query_.options.trim ? find_levels(f, part.lo, part.hi, query_)
                              : find_levels(range, part.lo, part.hi, query_),
          part);
-    if (any(behind)) close(p, part, behind, range, part.lo);
+    if (any(behind)) held_.close(p, part, behind, range, part.lo);
     const R delta = R(static_cast<T>(query_.options.delta));
     const Mask<R> flat = part.busy & (!(part.empty | part.accepted)) & (range.hi - range.lo <= delta) &
-                         !at_known_start(p, part.lo);
-    if (any(flat)) leave_open(p, part, flat);
+                         !rays_.at_known_start(p, part.lo);
+    if (any(flat)) held_.leave(p, part, flat);
   }
   // Accepts a crossing that is proved and narrow enough, and finds what is to be judged.
   ISO_HD void take(int p, const Levels<R>& levels, Part<R>& part) {
-    const R smallest = smallest_part(p);
+    const R smallest = rays_.smallest_part(p);
     part.empty = part.empty | (levels.near > levels.far);
     part.near = levels.near, part.far = levels.far, part.resume = levels.resume;
-    const Mask<R> known = lanes_of<R>(slots_.known, p);
-    const Mask<R> fits = (!known) | (below(p, levels.iso) == levels.rises);
+    const Mask<R> known = lanes_of<R>(rays_.known, p);
+    const Mask<R> fits = (!known) | (rays_.is_below(p, levels.iso) == levels.rises);
     const R length = levels.first_far - levels.near;
     const Mask<R> narrow = part.busy & (!part.empty) & (length <= smallest);
     // trimmed once more where that is worth it: the bracket shrinks quadratically
     const Mask<R> final = (part.hi - part.lo <= smallest) | (length <= smallest * R(T(0x1p-8)));
-    part.accepted = part.proved = narrow & final & levels.alone() & fits & !is_open(p);
+    part.accepted = part.proved = narrow & final & levels.alone() & fits & !held_.is_open(p);
     part.root = levels;
     // a start on the surface is no crossing: f has its side already
-    const Mask<R> start = narrow & levels.crosses & (!fits) & at_known_start(p, part.lo);
+    const Mask<R> start = narrow & levels.crosses & (!fits) & rays_.at_known_start(p, part.lo);
     part.hi = select(start, max(levels.first_far, part.lo), part.hi);
     part.empty = part.empty | start;
     const Mask<R> rest = part.busy & !(part.empty | part.accepted);
-    part.small = rest & ((part.hi - part.lo <= smallest) | is_open(p));
+    part.small = rest & ((part.hi - part.lo <= smallest) | held_.is_open(p));
     if (query_.options.derivative == Derivative::of_all) part.small = rest;
   }
-  ISO_HD R smallest_part(int p) const { return max(get(kSmallestPart, p), R(kLeast<T>)); }
-
   // One step of the interval Newton method for parts that are neither empty nor small.
   ISO_HD void newton(const int* packs, Part<R>* parts, int count) {
     NewtonForm<R> forms[kPacks];
@@ -192,7 +197,7 @@ template <class F, Real R> class Bisection {
       Part<R> part = parts[n];
       const Mask<R> mine = part.busy & !(part.empty | part.small);
       if (!any(mine)) continue;
-      slots_.add(kRuns, packs[n], mine, 2);
+      rays_.add(kRuns, packs[n], mine, 2);
       part.busy = mine;
       take(packs[n], find_levels(forms[n], part.lo, part.hi, query_), part);
       parts[n].replace(mine, part);
@@ -203,121 +208,39 @@ template <class F, Real R> class Bisection {
   ISO_HD void judge(const int* packs, Part<R>* parts, int count) {
     bool ask_near = false;
     for (int n = 0; n < count; ++n) {
-      parts[n].widen(smallest_part(packs[n]));
-      ask_near = ask_near || any(parts[n].small & !lanes_of<R>(slots_.known, packs[n]));
+      parts[n].widen(rays_.smallest_part(packs[n]));
+      ask_near = ask_near || any(parts[n].small & !lanes_of<R>(rays_.known, packs[n]));
     }
-    const Enquiry<R> enquiry(query_, registers_, slots_, packs, parts, count, ask_near);
+    const Enquiry<R> enquiry(query_, registers_, rays_, packs, parts, count, ask_near);
     for (int n = 0; n < count; ++n) {
       const int p = packs[n];
       Part<R>& part = parts[n];
       const Slope<R> slope = enquiry.slope(n);
       const Interval<R> at_end = enquiry.at_end(n);
-      const Mask<R> unknown = part.small & !lanes_of<R>(slots_.known, p);
-      slots_.add(kRuns, p, part.small, 2);
-      slots_.add(kRuns, p, unknown, 1);
-      slots_.add(kJudged, p, part.small & (part.hi - part.lo <= smallest_part(p)), 1);
-      if (ask_near) note_sides(p, unknown & !is_open(p), enquiry.at_near(n));
+      const Mask<R> unknown = part.small & !lanes_of<R>(rays_.known, p);
+      rays_.add(kRuns, p, part.small, 2);
+      rays_.add(kRuns, p, unknown, 1);
+      rays_.add(kJudged, p, part.small & (part.hi - part.lo <= rays_.smallest_part(p)), 1);
+      if (ask_near) rays_.note_sides(p, unknown & !held_.is_open(p), enquiry.at_near(n));
       const Mask<R> enough = get(kJudged, p) > R(T(kMostJudged));
       const Mask<R> last_look = (part.hi - part.lo <= R(kLeast<T>)) | enough;
-      const Mask<R> held = part.small & is_open(p), close_here = held & sides_known(at_end);
+      const Mask<R> held = part.small & held_.is_open(p), close_here = held & rays_.sides_known(at_end);
       part.small = part.small & !held;
-      decide(part, slope, ends_of(p, at_end), last_look, smallest_part(p));
+      decide(part, slope, rays_.ends_of(p, at_end), last_look, rays_.smallest_part(p));
       part.stuck = part.stuck | (held & !close_here);
       if (any(close_here)) {
-        put_lanes<R>(slots_.smooth, p, lanes_of<R>(slots_.smooth, p) & (slope.continuous | !close_here));
+        put_lanes<R>(rays_.smooth, p, lanes_of<R>(rays_.smooth, p) & (slope.continuous | !close_here));
         part.hi = select(close_here, part.end, part.hi);
-        close(p, part, close_here, at_end, part.end);
+        held_.close(p, part, close_here, at_end, part.end);
       }
-      note_sides(p, part.small & part.empty & !part.doubt, at_end);
-      forget_sides(p, part.doubt & !part.finite);
+      rays_.note_sides(p, part.small & part.empty & !part.doubt, at_end);
+      rays_.forget_sides(p, part.doubt & !part.finite);
       part.over = part.doubt & enough;
-      doubt(p, part.doubt);
-      hold_open(p, part, slope.continuous, enough);
+      rays_.doubt(p, part.doubt);
+      held_.hold(p, part, slope.continuous, enough);
     }
   }
 
-  ISO_HD Mask<R> is_open(int p) const { return get(kOpen, p) <= R(1); }
-  // Where roundings hide f's side the ray goes on: what comes behind tells what was there.
-  ISO_HD void hold_open(int p, Part<R>& part, Mask<R> continuous, Mask<R> enough) {
-    const Mask<R> held = is_open(p), open = part.stuck & !(enough | held);
-    slots_.set(kOpen, p, select(open, part.near, get(kOpen, p)));
-    slots_.set(kOpenIso, p, select(open, part.root.iso, get(kOpenIso, p)));
-    const Mask<R> smooth = lanes_of<R>(slots_.smooth, p);
-    put_lanes<R>(slots_.smooth, p, select(open, continuous, smooth & (continuous | !part.stuck)));
-    part.empty = part.empty | (part.stuck & !enough);
-    leave_open(p, part, part.stuck & enough);
-  }
-  // What is held open began on the surface.
-  ISO_HD Mask<R> from_start(int p) const {
-    return is_open(p) & lanes_of<R>(slots_.carried, p) & (get(kOpen, p) <= get(kStart, p));
-  }
-  ISO_HD void doubt(int p, Mask<R> where) {
-    for_lanes(p, where, [this](int, int ray) { roots_.proved[ray] = false; });
-  }
-  // Reports what was held open, or this part, as a hit without proof; a start on the surface is none.
-  ISO_HD void leave_open(int p, Part<R>& part, Mask<R> where) {
-    const Mask<R> held = is_open(p), start = where & from_start(p);
-    doubt(p, start);
-    part.over = part.over | start;
-    where = where & !start;
-    Levels<R> touch = part.root;
-    touch.near = select(held, get(kOpen, p), part.near);
-    touch.first_far = max(part.far, touch.near);
-    touch.middle = R(0.5) * (touch.near + touch.first_far);
-    touch.iso = select(held, get(kOpenIso, p), part.root.iso);
-    part.root.replace(where, touch);
-    part.accepted = part.accepted | where;
-    part.proved = part.proved & !where;
-    part.empty = part.empty & !where;
-    part.small = part.small & !where;
-  }
-  // Behind what was held open f has sides again, at s: other ones than in front of it prove a crossing,
-  // though one that lies anywhere in much more than the smallest part is not called proved. The same behind a
-  // start on the surface mean that nothing was there.
-  ISO_HD void close(int p, Part<R>& part, Mask<R> where, const Interval<R>& f, R s) {
-    Mask<R> changes = Mask<R>(false), several = changes, rises = changes;
-    R iso = get(kOpenIso, p);
-    for (int i = 0; i < isos_; ++i) {
-      const Mask<R> before = lanes_of<R>(slots_.below[i], p);
-      const Mask<R> change = sides_of(f, query_, i).below != before;
-      iso = select(change & !changes, R(T(i)), iso);
-      rises = select(change & !changes, before, rises);
-      several = several | (change & changes);
-      changes = changes | change;
-    }
-    const Mask<R> start = from_start(p), nothing = where & start & !changes;
-    doubt(p, where & start);
-    slots_.set(kOpen, p, select(nothing, R(2), get(kOpen, p)));
-    part.empty = part.empty | nothing;
-    part.small = part.small & !where;
-    where = where & !nothing;
-    Levels<R> root = part.root;
-    root.near = get(kOpen, p), root.first_far = max(s, root.near);
-    root.middle = R(0.5) * (root.near + root.first_far);
-    root.iso = iso, root.rises = rises;
-    part.root.replace(where, root);
-    part.accepted = part.accepted | where;
-    part.empty = part.empty & !where;
-    const Mask<R> narrow = root.first_far - root.near <= max(R(T(16)) * smallest_part(p), R(T(0x1p-10)));
-    const Mask<R> told =
-        narrow & (!start) & lanes_of<R>(slots_.known, p) & lanes_of<R>(slots_.smooth, p) & f.defined;
-    part.proved = select(where, told & changes & !several, part.proved);
-  }
-
-  // Sides of each iso-value at the ends of a small part.
-  ISO_HD Ends<R> ends_of(int p, const Interval<R>& at_end) const {
-    Ends<R> ends{query_, at_end, {}, {}};
-    const Mask<R> known = lanes_of<R>(slots_.known, p);
-    for (int i = 0; i < isos_; ++i) {
-      const Mask<R> is_below = lanes_of<R>(slots_.below[i], p);
-      const Sides<R> s = sides_of(at_end, query_, i);
-      ends.near[i].below = known & is_below;
-      ends.near[i].above = known & !is_below;
-      ends.far[i].below = s.below & at_end.defined;
-      ends.far[i].above = s.above & at_end.defined;
-    }
-    return ends;
-  }
   ISO_HD Slope<R> slope_along(int p, const G& g) const {
     Interval<R> d[3];
     for (int a = 0; a < 3; ++a) {
@@ -327,57 +250,22 @@ template <class F, Real R> class Bisection {
     return {g.dx * d[0] + g.dy * d[1] + g.dz * d[2], g.value.continuous};
   }
 
-  // f is off every iso-value, on known sides.
-  ISO_HD Mask<R> sides_known(const Interval<R>& f) const {
-    Mask<R> known = f.defined;
-    for (int i = 0; i < isos_; ++i) {
-      const Sides<R> s = sides_of(f, query_, i);
-      known = known & (s.below | s.above);
-    }
-    return known;
-  }
-  ISO_HD void forget_sides(int p, Mask<R> where) {
-    put_lanes<R>(slots_.known, p, lanes_of<R>(slots_.known, p) & !where);
-  }
-  // Remembers the sides that f has, in these lanes, where every iso-value is left out.
-  ISO_HD void note_sides(int p, Mask<R> where, const Interval<R>& f) {
-    for (int i = 0; i < isos_; ++i)
-      put_lanes<R>(slots_.below[i], p,
-                   select(where, sides_of(f, query_, i).below, lanes_of<R>(slots_.below[i], p)));
-    put_lanes<R>(slots_.known, p, select(where, sides_known(f), lanes_of<R>(slots_.known, p)));
-  }
-  // Whether f < iso where the ray has come to, for an iso-value per lane.
-  ISO_HD Mask<R> below(int p, R iso) const {
-    Mask<R> result = Mask<R>(false);
-    for (int i = 0; i < isos_; ++i) result = result | ((iso == R(T(i))) & lanes_of<R>(slots_.below[i], p));
-    return result;
-  }
-  ISO_HD Mask<R> at_known_start(int p, R s) const {
-    return lanes_of<R>(slots_.carried, p) & (s == get(kStart, p));
-  }
-
-  template <class Call> ISO_HD void for_lanes(int p, Mask<R> lanes, Call call) const {
-    for (unsigned rest = bits_of(lanes); rest; rest &= rest - 1) {
-      const int l = __builtin_ctz(rest);
-      call(l, slots_.ray[p * kWidth<R> + l]);
-    }
-  }
   // Writes the roots of the accepted lanes.
   ISO_HD void report(int p, const Part<R>& part) {
     const Levels<R>& root = part.root;
     Part<R> at_near = part;
     at_near.lo = at_near.hi = root.near;
-    if (any(part.accepted & !lanes_of<R>(slots_.known, p)))
-      note_sides(p, part.accepted & !lanes_of<R>(slots_.known, p),
-                 *evaluate_over<Interval<R>>(&p, &at_near, 1,
-                                             [](const Part<R>& at) { return RayPart<R>(at.lo, at.hi); }));
+    if (any(part.accepted & !lanes_of<R>(rays_.known, p)))
+      rays_.note_sides(p, part.accepted & !lanes_of<R>(rays_.known, p),
+                       *evaluate_over<Interval<R>>(
+                           &p, &at_near, 1, [](const Part<R>& at) { return RayPart<R>(at.lo, at.hi); }));
     T near[kWidth<R>], far[kWidth<R>], middle[kWidth<R>], iso[kWidth<R>];
     store(near, root.near), store(far, root.first_far), store(middle, root.middle), store(iso, root.iso);
     const unsigned proved = bits_of(part.proved), rises = bits_of(root.rises);
-    for_lanes(p, part.accepted, [&](int l, int ray) {
+    rays_.for_lanes(p, part.accepted, [&](int l, int ray) {
       const int level = static_cast<int>(iso[l]);
       std::uint32_t sides = 0;
-      for (int i = 0; i < isos_; ++i) sides |= (slots_.below[i] >> (p * kWidth<R> + l) & 1) << i;
+      for (int i = 0; i < isos_; ++i) sides |= (rays_.below[i] >> (p * kWidth<R> + l) & 1) << i;
       if (proved >> l & 1) sides = (sides & ~(1u << level)) | (rises >> l & 1) << level;
       roots_.hit[ray] = true;
       roots_.proved[ray] = roots_.proved[ray] && (proved >> l & 1);
@@ -399,7 +287,7 @@ template <class F, Real R> class Bisection {
     // a packet divides if one of its rays wants to
     if (together_)
       for (int slot = 0; slot < kSlots; slot += kPacketSize) {
-        const SlotBits packet = slots_.busy & SlotBits(0xffff) << slot;
+        const SlotBits packet = rays_.busy & SlotBits(0xffff) << slot;
         const bool wanted = divide & packet, waits = again & packet;
         divide = wanted && !waits ? divide | packet : divide & ~packet;
         leave = wanted || waits ? leave & ~packet : leave | packet;
@@ -411,17 +299,17 @@ template <class F, Real R> class Bisection {
       if (!free()) follow_path(p, lanes_of<R>(divide, p), lanes_of<R>(leave, p));
       const Mask<R> end = (get(kBegin, p) >= R(1)) | (get(kK, p) >= R(1));
       const Mask<R> done = part.accepted | part.over | end;
-      const Mask<R> still_open = part.busy & done & is_open(p) & !part.accepted;
+      const Mask<R> still_open = part.busy & done & held_.is_open(p) & !part.accepted;
       if (any(still_open)) {
         part.accepted = Mask<R>(false);
-        leave_open(p, part, still_open);
+        held_.leave(p, part, still_open);
         report(p, part);
       }
       const Mask<R> finished = part.busy & done;
-      for_lanes(p, finished, [this, p](int l, int ray) {
-        roots_.evaluations[ray] = static_cast<std::uint32_t>(slots_.field[kRuns][p * kWidth<R> + l]);
+      rays_.for_lanes(p, finished, [this, p](int l, int ray) {
+        roots_.evaluations[ray] = static_cast<std::uint32_t>(rays_.field[kRuns][p * kWidth<R> + l]);
       });
-      put_lanes<R>(slots_.busy, p, part.busy & !done);
+      put_lanes<R>(rays_.busy, p, part.busy & !done);
     }
   }
   // What is left of the rays after their parts.
@@ -437,14 +325,14 @@ template <class F, Real R> class Bisection {
     const R resume = select(part.hi == cut, cut_end, part.hi);
     cut_end = select(past, R(1), select(cuts, select(part.resume < part.hi, part.resume, resume), cut_end));
     cut = select(past, R(1), select(cuts, far, cut));
-    slots_.set(kBegin, p, begin), slots_.set(kCut, p, cut), slots_.set(kCutEnd, p, cut_end);
-    slots_.set(kReach, p, part.reach);
+    rays_.set(kBegin, p, begin), rays_.set(kCut, p, cut), rays_.set(kCutEnd, p, cut_end);
+    rays_.set(kReach, p, part.reach);
     if (!free()) return;
     const R length = far - part.near, half = R(0.5) * (part.hi - part.lo);
     const R next = max(select(length <= half, length, R(0.5) * length), least);
     // where a side is hidden in small steps, so as not to leap over a dip that shows it
-    const R leap = select(is_open(p), max(R(0.25) * (begin - get(kOpen, p)), least), w + w);
-    slots_.set(kW, p, select(gone, leap, select(divide, next, w)));
+    const R leap = select(held_.is_open(p), max(R(0.25) * (begin - get(kOpen, p)), least), w + w);
+    rays_.set(kW, p, select(gone, leap, select(divide, next, w)));
   }
   // Into the near half, or to the next part and up while both halves are done.
   ISO_HD void follow_path(int p, Mask<R> divide, Mask<R> leave) {
@@ -459,7 +347,7 @@ template <class F, Real R> class Bisection {
       w = select(both, w + w, w);
       number = select(both, half, number);
     }
-    slots_.set(kK, p, k), slots_.set(kW, p, w);
+    rays_.set(kK, p, k), rays_.set(kW, p, w);
   }
 
   const FormulaQuery<T>& query_;
@@ -468,7 +356,8 @@ template <class F, Real R> class Bisection {
   void* registers_;
   int isos_, next_ = 0;
   bool together_ = false;
-  Slots<R> slots_;
+  Rays<R> rays_;
+  HeldOpen<R> held_;
 };
 
 }  // namespace isocast::inline ISO_ISA

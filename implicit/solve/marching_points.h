@@ -134,7 +134,7 @@ template <bool kTaylor, Real R> class MarchingPoints {
     const Mask<R> done = busy & (found | (at >= R(1)));
     slots_.set(kBegin, p, at), slots_.set(kValue, p, there.f), slots_.set(kSlope, p, there.slope);
     slots_.set(kW, p, length_from(there) * get(kSmallestPart, p));
-    for_lanes(p, done, [&](int l, int ray) {
+    slots_.for_lanes(p, done, [&](int l, int ray) {
       roots_.evaluations[ray] = static_cast<std::uint32_t>(slots_.field[kRuns][p * kWidth<R> + l]);
     });
     put_lanes<R>(slots_.busy, p, busy & !done);
@@ -152,17 +152,11 @@ template <bool kTaylor, Real R> class MarchingPoints {
     return (min(min(p, q), min(r, s)) <= R(0)) & (max(max(p, q), max(r, s)) >= R(0));
   }
 
-  template <class Call> ISO_HD void for_lanes(int p, Mask<R> lanes, Call call) const {
-    for (unsigned rest = bits_of(lanes); rest; rest &= rest - 1) {
-      const int l = __builtin_ctz(rest);
-      call(l, slots_.ray[p * kWidth<R> + l]);
-    }
-  }
   // The step of some lanes as a bracket, with the sides in front of it.
   ISO_HD void report(int p, Mask<R> lanes, R from, R to, R level) {
     T lo[kWidth<R>], hi[kWidth<R>], iso[kWidth<R>];
     store(lo, from), store(hi, to), store(iso, level);
-    for_lanes(p, lanes, [&](int l, int ray) {
+    slots_.for_lanes(p, lanes, [&](int l, int ray) {
       std::uint32_t sides = 0;
       for (int i = 0; i < isos_; ++i) sides |= (slots_.below[i] >> (p * kWidth<R> + l) & 1) << i;
       roots_.hit[ray] = true;

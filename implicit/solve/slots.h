@@ -67,6 +67,14 @@ template <Real R> struct Slots {
     set(f, p, get(f, p) + select(where, R(T(more)), R(0)));
   }
 
+  /// call(lane, ray) for some lanes of a pack.
+  template <class Call> ISO_HD void for_lanes(int p, Mask<R> lanes, Call call) const {
+    for (unsigned rest = bits_of(lanes); rest; rest &= rest - 1) {
+      const int l = __builtin_ctz(rest);
+      call(l, ray[p * kWidth<R> + l]);
+    }
+  }
+
   /// Puts ray i of the stream into a slot.
   ISO_HD void start(const SegmentStream<T>& stream, int i, int slot, int iso_count) {
     const SlotBits bit = SlotBits(1) << slot;
