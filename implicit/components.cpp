@@ -7,40 +7,39 @@
 namespace isocast {
 namespace {
 
-// A choice nests as deep as the formula; deeper ends are one component.
-constexpr int kMostParts = 1 << 16;
-
 double evaluate_at(const Tape& tape, const double* inputs) {
   return evaluate(tape.view(), inputs, static_cast<double*>(registers_of(tape.registers * sizeof(double))));
 }
 
-Tape tape_of(Expression expression, NodeId node) {
+Tape tape_of(Expression& expression, NodeId node) {
   expression.set_root(node);
   return make_tape(simplify(expression));
 }
 
 }  // namespace
 
-Components::Components(const Expression& expression) : root_(add(expression, expression.root(), false)) {}
+Components::Components(const Expression& expression) {
+  Expression copy = expression;
+  root_ = add(copy, expression.root(), 0);
+}
 
-int Components::add(const Expression& expression, NodeId node, bool is_condition) {
-  const Node& n = expression.node(node);
-  Part part{n.op};
-  const bool inner = n.op == Op::min || n.op == Op::max || n.op == Op::negate || n.op == Op::choose;
-  if (is_condition) {
-    part.leaf = static_cast<int>(conditions_.size());
-    conditions_.push_back(tape_of(expression, node));
-  } else if (!inner || parts_.size() >= kMostParts) {
+int Components::add(Expression& expression, NodeId id, int depth) {
+  const Node node = expression.node(id);
+  Part part{node.op};
+  const bool inner =
+      node.op == Op::min || node.op == Op::max || node.op == Op::negate || node.op == Op::choose;
+  if (!inner || depth >= kDeepest || parts_.size() >= kMostParts) {
     part.op = Op::variable;
-    part.leaf = static_cast<int>(leaves_.size());
-    leaves_.push_back(tape_of(expression, node));
-  } else if (n.op == Op::choose) {
-    part.c = add(expression, n.a, true);
-    part.a = add(expression, n.b, false);
-    part.b = add(expression, n.c, false);
+    part.tape = static_cast<int>(leaves_.size());
+    leaves_.push_back(tape_of(expression, id));
+  } else if (node.op == Op::choose) {
+    part.tape = static_cast<int>(conditions_.size());
+    conditions_.push_back(tape_of(expression, node.a));
+    part.a = add(expression, node.b, depth + 1);
+    part.b = add(expression, node.c, depth + 1);
   } else {
-    part.a = add(expression, n.a, false);
-    if (n.op != Op::negate) part.b = add(expression, n.b, false);
+    part.a = add(expression, node.a, depth + 1);
+    if (node.op != Op::negate) part.b = add(expression, node.b, depth + 1);
   }
   parts_.push_back(part);
   return static_cast<int>(parts_.size()) - 1;
@@ -54,8 +53,7 @@ Components::Value Components::value(int index, const double* inputs) const {
       return {-a.f, a.leaf};
     }
     case Op::choose: {
-      const auto& condition =
-          conditions_[static_cast<std::size_t>(parts_[static_cast<std::size_t>(part.c)].leaf)];
+      const Tape& condition = conditions_[static_cast<std::size_t>(part.tape)];
       return value(evaluate_at(condition, inputs) != 0 ? part.a : part.b, inputs);
     }
     case Op::min:
@@ -64,7 +62,7 @@ Components::Value Components::value(int index, const double* inputs) const {
       const bool second = part.op == Op::min ? b.f < a.f : b.f > a.f;
       return second ? b : a;
     }
-    default: return {evaluate_at(leaves_[static_cast<std::size_t>(part.leaf)], inputs), part.leaf};
+    default: return {evaluate_at(leaves_[static_cast<std::size_t>(part.tape)], inputs), part.tape};
   }
 }
 

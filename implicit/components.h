@@ -9,9 +9,12 @@
 namespace isocast {
 
 /// The operands of the min, max, negations and choices that a formula ends in, in the order of its text, from
-/// 0; a formula without such an end is its only component.
+/// 0; a formula without such an end is its only component. An end that nests deeper than kDeepest or is
+/// longer than kMostParts is not taken apart further.
 class Components {
  public:
+  static constexpr int kDeepest = 1000, kMostParts = 4096;
+
   explicit Components(const Expression& expression);
 
   [[nodiscard]] int count() const { return static_cast<int>(leaves_.size()); }
@@ -19,16 +22,16 @@ class Components {
   [[nodiscard]] int at(const Double3& p, double time) const;
 
  private:
-  // A node of the formula's end; a leaf has its number in `leaf`, a choice its condition's in `c`.
+  // A node of the formula's end: its operands, and the number of a leaf's tape or of a choice's condition.
   struct Part {
     Op op;
-    int a = -1, b = -1, c = -1, leaf = -1;
+    int a = -1, b = -1, tape = -1;
   };
   struct Value {
     double f;
     int leaf;
   };
-  int add(const Expression& expression, NodeId node, bool is_condition);
+  int add(Expression& expression, NodeId node, int depth);
   [[nodiscard]] Value value(int part, const double* inputs) const;
 
   std::vector<Part> parts_;

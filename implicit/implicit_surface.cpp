@@ -17,7 +17,8 @@ namespace isocast {
 
 ImplicitSurface::ImplicitSurface(const Expression& expression, const Domain& domain,
                                  const ImplicitSurfaceOptions& options)
-    : components_(expression), tape_(make_tape(simplify(expression))) {
+    : tape_(make_tape(simplify(expression))) {
+  if (options.components) components_.emplace(expression);
   for (int a = 0; a < 3; ++a) {
     bounds_.lo[a] = domain.lo[a];
     bounds_.hi[a] = domain.hi[a];
@@ -154,7 +155,7 @@ void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const
     hits.iso[i] = roots.iso[i];
     hits.object[i] = options_.object;
     hits.sides[i] = roots.sides[i];
-    if (options_.components) hits.cell[0][i] = components_.at(piece.o + t * piece.d, options_.time);
+    if (components_) hits.cell[0][i] = components_->at(piece.o + t * piece.d, options_.time);
     hits.certificate[i] = !proves()   ? Certificate::no_proof
                           : one.doubt ? Certificate::undecided
                                       : Certificate::proved_hit;

@@ -9,6 +9,7 @@
 #include <isocast/isa/cpu.h>
 #include <isocast/ray/surface.h>
 
+#include <optional>
 #include <vector>
 
 namespace isocast {
@@ -16,7 +17,7 @@ namespace isocast {
 /// iso         1 to kMostIsos values
 /// time        the variable w
 /// normals     difference: over a stencil tied to the method's eps (FormulaMethodChoice)
-/// components  hits say which operand of the formula's min and max was hit
+/// components  hits say which operand of the formula's min and max was hit; as the surface is made, for good
 /// object      number of the object in its scene
 struct ImplicitSurfaceOptions {
   std::vector<double> iso = {0};
@@ -42,7 +43,8 @@ class ImplicitSurface final : public Surface {
 
   void set_options(const ImplicitSurfaceOptions& options);
 
-  [[nodiscard]] int component_count() const { return components_.count(); }
+  /// 0 where components were not asked for.
+  [[nodiscard]] int component_count() const { return components_ ? components_->count() : 0; }
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] bool proves() const override { return options_.method.proves(); }
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
@@ -63,7 +65,7 @@ class ImplicitSurface final : public Surface {
   void trace(const FormulaQuery<T>& query, bool next, const RayStream& rays, HitStream& hits,
              TraceCounts& counts) const;
 
-  Components components_;
+  std::optional<Components> components_;
   Tape tape_;
   double gradient_;  // median of its length, probed
   Box bounds_;

@@ -5,8 +5,8 @@
 
 namespace isocast {
 
-/// Operations of one evaluation, counted in sums of intervals: of intervals, or of affine forms; roughly what a
-/// profile of the kernels shows.
+/// Operations of one evaluation, counted in sums of intervals: of intervals, or of affine forms; roughly what
+/// a profile of the kernels shows.
 [[nodiscard]] double tape_cost(const Tape& tape, bool affine);
 
 }  // namespace isocast

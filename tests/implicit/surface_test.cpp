@@ -345,6 +345,11 @@ TEST_CASE("hits know the component of a solid, and difference normals come near 
     CHECK(dressed->normal[2][i] == Approx(i == 2 ? -1 : 1));
     CHECK(dressed->normal[0][i] == Approx(0).margin(1e-6));
   }
+  // a few lines whose tree has 2^60 leaves
+  std::string shared = "let a0 = min(x, y);";
+  for (int i = 1; i < 60; ++i) shared += fmt::format("let a{} = min(a{}, max(-a{}, z));", i, i - 1, i - 1);
+  CHECK(surface_of(shared + "a59", options).component_count() <=
+        Components::kMostParts + Components::kDeepest);
 }
 
 TEST_CASE("formulas and options that cannot be used are refused in one sentence") {
