@@ -19,7 +19,7 @@ template <Real R, int N> ISO_HD inline AffineForm<R, N> sqrt(const AffineForm<R,
 /// Chebyshev.
 template <Real R, int N> ISO_HD inline AffineForm<R, N> exp(const AffineForm<R, N>& a) {
   const Interval<R> x = interval_of(a);
-  const auto g = [](const Interval<R>& u) { return exp(u); };
+  const auto g = [](const Interval<R>& u) { return exp_at(u.lo); };
   return bent(a, x, exp(x), g, g, [](R slope) { return log(slope); });
 }
 
@@ -27,7 +27,7 @@ template <Real R, int N> ISO_HD inline AffineForm<R, N> exp(const AffineForm<R, 
 template <Real R, int N> ISO_HD inline AffineForm<R, N> log(const AffineForm<R, N>& a) {
   const Interval<R> range = interval_of(a), x = cut(range, R(0), R(kInfinity<Scalar<R>>));
   return bent(
-      a, x, log(range), [](const Interval<R>& u) { return log(u); },
+      a, x, log(range), [](const Interval<R>& u) { return log_at(u.lo); },
       [](const Interval<R>& u) { return Interval<R>(R(1)) / u; }, [](R slope) { return R(1) / slope; });
 }
 /// log(a) / log(10).
@@ -88,12 +88,14 @@ template <Real R, int N> ISO_HD inline AffineForm<R, N> power(const AffineForm<R
 template <Real R, int N> ISO_HD inline AffineForm<R, N> sin(const AffineForm<R, N>& a) {
   const Interval<R> x = interval_of(a), y = sin(x);
   return curved(
-      a, x, y, [](const Interval<R>& u) { return sin(u); }, [](const Interval<R>& u) { return cos(u); }, -y);
+      a, x, y, [](const Interval<R>& u) { return sin_at(u.lo); },
+      [](const Interval<R>& u) { return cos_at(u.lo); }, -y);
 }
 template <Real R, int N> ISO_HD inline AffineForm<R, N> cos(const AffineForm<R, N>& a) {
   const Interval<R> x = interval_of(a), y = cos(x);
   return curved(
-      a, x, y, [](const Interval<R>& u) { return cos(u); }, [](const Interval<R>& u) { return -sin(u); }, -y);
+      a, x, y, [](const Interval<R>& u) { return cos_at(u.lo); },
+      [](const Interval<R>& u) { return -sin_at(u.lo); }, -y);
 }
 
 /// Min-range; nothing is known where there may be a pole, which is undefined.

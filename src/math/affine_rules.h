@@ -30,7 +30,8 @@ template <Real R> ISO_HD inline Interval<R> hull(const Interval<R>& a, const Int
 
 /// Chebyshev's approximation of g, convex or concave on x: the slope of the chord; the remainder has one
 /// extremum at both ends, the other near u = touch(slope), where g' is the slope. As u is rounded, the
-/// tangent there, which the remainder does not cross, bounds it. g, derivative: intervals to intervals.
+/// tangent there, which the remainder does not cross, bounds it. g and derivative are
+/// asked for intervals that are single numbers.
 template <Real R, int N, class G, class D, class T>
 ISO_HD inline AffineForm<R, N> bent(const AffineForm<R, N>& a, const Interval<R>& x, const Interval<R>& y,
                                     G g, D derivative, T touch) {

@@ -42,6 +42,15 @@ template <Real R> ISO_HD inline Interval<R> cos(const Interval<R>& a) {
   return wave(a, cos(a.lo), cos(a.hi), may_hold_integer(a, t, T(0)), may_hold_integer(a, t, T(0.5)));
 }
 
+/// The same of a number, with one call of the library.
+template <Real R> ISO_HD inline Interval<R> wave_at(R x, R value) {
+  const Mask<R> far = abs(x) > R(kAngleRange<Scalar<R>>);
+  return Interval<R>(select(far, R(-1), max(down_library(value), R(-1))),
+                     select(far, R(1), min(up_library(value), R(1))));
+}
+template <Real R> ISO_HD inline Interval<R> sin_at(R x) { return wave_at(x, sin(x)); }
+template <Real R> ISO_HD inline Interval<R> cos_at(R x) { return wave_at(x, cos(x)); }
+
 /// Rises between poles; all numbers and undefined where there may be a pole.
 template <Real R> ISO_HD inline Interval<R> tan(const Interval<R>& a) {
   using T = Scalar<R>;

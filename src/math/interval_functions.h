@@ -19,6 +19,17 @@ template <Real R> ISO_HD inline Interval<R> exp(const Interval<R>& a) {
   return cut(rising(a, exp(a.lo), exp(a.hi)), R(0), R(kInfinity<Scalar<R>>));
 }
 
+/// Of a number, with one call of the library.
+template <Real R> ISO_HD inline Interval<R> exp_at(R x) {
+  const R y = exp(x);
+  return Interval<R>(max(down_library(y), R(0)), up_library(y));
+}
+/// The same for x >= 0.
+template <Real R> ISO_HD inline Interval<R> log_at(R x) {
+  const R y = log(x);
+  return Interval<R>(down_library(y), up_library(y));
+}
+
 /// Of the part that is positive; undefined where there is another, empty without one.
 template <Real R> ISO_HD inline Interval<R> log(const Interval<R>& a) {
   const Interval<R> y = rising(a, log(max(a.lo, R(0))), log(max(a.hi, R(0))));
