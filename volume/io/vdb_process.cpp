@@ -8,6 +8,7 @@
 #include <isocast/volume/io/vdb_process.h>
 
 #include <ios>
+#include <iostream>
 #include <span>
 
 namespace isocast::vdb_process {
@@ -51,6 +52,7 @@ int try_to_run(std::span<const std::string> words) {
 // Ends without destructors: those of a tree that was half read would follow wild pointers.
 int main(int count, char** words) {
   const std::vector<std::string> arguments(words + 1, words + count);
+  std::cerr.rdbuf(nullptr);  // OpenVDB's warnings about what it reads all the same
   const int status = isocast::vdb_process::try_to_run(arguments);
   std::fflush(stdout);
   _exit(status);
