@@ -1,7 +1,7 @@
 #include <isocast/implicit/components.h>
 #include <isocast/implicit/expression/evaluate.h>
 #include <isocast/implicit/expression/simplify.h>
-#include <isocast/implicit/registers.h>
+#include <isocast/implicit/register_memory.h>
 #include <isocast/math/elementary.h>
 
 namespace isocast {

@@ -1,6 +1,6 @@
 #include <isocast/implicit/expression/evaluate.h>
 #include <isocast/implicit/implicit_surface.h>
-#include <isocast/implicit/registers.h>
+#include <isocast/implicit/register_memory.h>
 #include <isocast/implicit/solve/inclusion.h>
 
 #include <algorithm>

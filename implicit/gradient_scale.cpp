@@ -1,5 +1,5 @@
 #include <isocast/implicit/gradient_scale.h>
-#include <isocast/implicit/registers.h>
+#include <isocast/implicit/register_memory.h>
 #include <isocast/implicit/solve/inclusion.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <isocast/implicit/gradient_scale.h>
 #include <isocast/implicit/implicit_surface.h>
 #include <isocast/implicit/ray_segments.h>
-#include <isocast/implicit/registers.h>
+#include <isocast/implicit/register_memory.h>
 #include <isocast/implicit/tape_cost.h>
 #include <isocast/math/interval.h>
 

@@ -116,11 +116,10 @@ template <class F, Real R> class Bisection {
   ISO_HD const Kind* evaluate_over(const int* packs, const Part<R>* parts, int count, PartOf part_of) {
     Kind inputs[4 * kPacks];
     for (int n = 0; n < count; ++n) {
-      const RayPart<R> part = part_of(parts[n]);
-      for (int a = 0; a < 3; ++a)
-        part.coordinate(get(Field(kEx + a), packs[n]), get(Field(kDx + a), packs[n]),
-                        get(Field(kWx + a), packs[n]), a, inputs[a * kPacks + n]);
-      inputs[3 * kPacks + n] = constant_as({query_.time, true}, Kind{});
+      const auto row = [this, p = packs[n]](Field first) {
+        return [this, p, first](int a) { return get(Field(first + a), p); };
+      };
+      part_of(parts[n]).template put<kPacks>(inputs, n, query_.time, row(kEx), row(kDx), row(kWx));
     }
     return evaluate_some<kPacks>(query_.tape, inputs, static_cast<Kind*>(registers_), count);
   }
@@ -186,7 +185,8 @@ template <class F, Real R> class Bisection {
                                         [](const Part<R>& part) { return RayPart<R>(part.lo, part.hi); });
     for (int n = 0; n < count; ++n) {
       forms[n].range = g[n].value;
-      forms[n].slope = slope_along(packs[n], g[n]).value;
+      forms[n].slope =
+          slope_along<R>(g[n], [this, p = packs[n]](int row) { return get(Field(row), p); }).value;
     }
     const Interval<R>* const f = evaluate_over<Interval<R>>(packs, parts, count, [](const Part<R>& part) {
       const R middle = R(0.5) * (part.lo + part.hi);
@@ -239,15 +239,6 @@ template <class F, Real R> class Bisection {
       rays_.doubt(p, part.doubt);
       held_.hold(p, part, slope.continuous, enough);
     }
-  }
-
-  ISO_HD Slope<R> slope_along(int p, const G& g) const {
-    Interval<R> d[3];
-    for (int a = 0; a < 3; ++a) {
-      const R middle = get(Field(kDx + a), p), slack = get(Field(kWx + a), p);
-      d[a] = Interval<R>(middle - slack, middle + slack);
-    }
-    return {g.dx * d[0] + g.dy * d[1] + g.dz * d[2], g.value.continuous};
   }
 
   // Writes the roots of the accepted lanes.

@@ -6,6 +6,16 @@
 
 namespace isocast::inline ISO_ISA {
 
+/// The derivative of f along a ray from its gradient; row(kDx) ... row(kWz) are those of the ray.
+template <Real R, class Row> ISO_HD inline Slope<R> slope_along(const Gradient<Interval<R>>& g, Row row) {
+  Interval<R> d[3];
+  for (int a = 0; a < 3; ++a) {
+    const R middle = row(kDx + a), slack = row(kWx + a);
+    d[a] = Interval<R>(middle - slack, middle + slack);
+  }
+  return {g.dx * d[0] + g.dy * d[1] + g.dz * d[2], g.value.continuous};
+}
+
 /// Evaluates f for the lanes that ask only, side by side in as few packs as hold them: derivatives are dear,
 /// and few lanes of a pack ask at a time.
 template <Real R> class Enquiry {
@@ -24,13 +34,9 @@ template <Real R> class Enquiry {
     gather(slots, packs, parts, count);
     const G* const g = evaluate<G>(near_, end_);
     for (int q = 0; q < dense_; ++q) {
-      Interval<R> d[3];
-      for (int a = 0; a < 3; ++a) {
-        const R middle = get(kDx + a, q), slack = get(kWx + a, q);
-        d[a] = Interval<R>(middle - slack, middle + slack);
-      }
-      scatter(q, kSlope, g[q].dx * d[0] + g[q].dy * d[1] + g[q].dz * d[2]);
-      scatter_bits(q, smooth_, g[q].value.continuous);
+      const Slope<R> slope = slope_along<R>(g[q], [this, q](int row) { return get(row, q); });
+      scatter(q, kSlope, slope.value);
+      scatter_bits(q, smooth_, slope.continuous);
     }
     const Interval<R>* f = evaluate<Interval<R>>(end_, end_);
     for (int q = 0; q < dense_; ++q) scatter(q, kEnd, f[q]);
@@ -72,10 +78,9 @@ template <Real R> class Enquiry {
   template <class Kind> ISO_HD const Kind* evaluate(const T* from, const T* to) {
     Kind inputs[4 * kPacks];
     for (int q = 0; q < dense_; ++q) {
-      const RayPart<R> part(load<R>(from + q * kW), load<R>(to + q * kW));
-      for (int a = 0; a < 3; ++a)
-        part.coordinate(get(kEx + a, q), get(kDx + a, q), get(kWx + a, q), a, inputs[a * kPacks + q]);
-      inputs[3 * kPacks + q] = constant_as({query_.time, true}, Kind{});
+      const auto row = [this, q](int first) { return [this, q, first](int a) { return get(first + a, q); }; };
+      RayPart<R>(load<R>(from + q * kW), load<R>(to + q * kW))
+          .template put<kPacks>(inputs, q, query_.time, row(kEx), row(kDx), row(kWx));
     }
     return evaluate_some<kPacks>(query_.tape, static_cast<const Kind*>(inputs),
                                  static_cast<Kind*>(registers_), dense_);

@@ -35,9 +35,10 @@ template <Real R> struct HitLanes {
   template <class Kind> ISO_HD const Kind* evaluate(const FormulaQuery<T>& query, void* registers) const {
     Kind inputs[4 * kPacks];
     for (int p = 0; p < packs; ++p) {
-      const RayPart<R> point(s[p], s[p]);
-      for (int a = 0; a < 3; ++a) point.coordinate(e[a][p], d[a][p], R(0), a, inputs[a * kPacks + p]);
-      inputs[3 * kPacks + p] = Kind(R(static_cast<T>(query.time)));
+      RayPart<R>(s[p], s[p])
+          .template put<kPacks>(
+              inputs, p, query.time, [&](int a) { return e[a][p]; }, [&](int a) { return d[a][p]; },
+              [](int) { return R(0); });
     }
     return evaluate_some<kPacks>(query.tape, static_cast<const Kind*>(inputs), static_cast<Kind*>(registers),
                                  packs);

@@ -58,6 +58,13 @@ template <Real R> struct RayPart {
     using S = Scalar<R>;
     x = Gradient<F>(value, F(S(axis == 0)), F(S(axis == 1)), F(S(axis == 2)));
   }
+
+  /// The n-th of the inputs of evaluate_some<kStride>: e(a), d(a) and slack(a) are those of axis a.
+  template <int kStride, class Kind, class E, class D, class W>
+  ISO_HD void put(Kind* inputs, int n, double time, E e, D d, W slack) const {
+    for (int a = 0; a < 3; ++a) coordinate(e(a), d(a), slack(a), a, inputs[a * kStride + n]);
+    inputs[3 * kStride + n] = constant_as({time, true}, Kind{});
+  }
 };
 
 }  // namespace isocast::inline ISO_ISA

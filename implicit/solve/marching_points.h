@@ -88,11 +88,12 @@ template <bool kTaylor, Real R> class MarchingPoints {
   template <class Kind> ISO_HD const Kind* evaluate_at(const int* packs, const R* at, int count) {
     Kind inputs[4 * kPacks];
     for (int n = 0; n < count; ++n) {
-      const RayPart<R> point(at[n], at[n]);
-      for (int a = 0; a < 3; ++a)
-        point.coordinate(get(Field(kEx + a), packs[n]), get(Field(kDx + a), packs[n]), R(0), a,
-                         inputs[a * kPacks + n]);
-      inputs[3 * kPacks + n] = Kind(R(static_cast<T>(query_.time)));
+      const auto row = [this, p = packs[n]](Field first) {
+        return [this, p, first](int a) { return get(Field(first + a), p); };
+      };
+      RayPart<R>(at[n], at[n]).template put<kPacks>(inputs, n, query_.time, row(kEx), row(kDx), [](int) {
+        return R(0);
+      });
       slots_.add(kRuns, packs[n], lanes_of<R>(slots_.busy, packs[n]), 1);
     }
     return evaluate_some<kPacks>(query_.tape, static_cast<const Kind*>(inputs),

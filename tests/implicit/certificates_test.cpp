@@ -1,4 +1,5 @@
 // What formula methods prove, held against the reference: every surface of the catalogue, random formulas.
+#include <implicit/framed_rays.h>
 #include <implicit/undecided_shares.h>
 #include <isocast/apps/reference/formula_reference.h>
 #include <isocast/implicit/expression/builtins.h>
@@ -63,29 +64,8 @@ std::unique_ptr<Streams> random_streams(std::mt19937_64& random, const Domain& b
   return s;
 }
 
-// The part of a ray inside the box, less what roundings of its ends can make; empty where lo >= hi.
-struct Range {
-  double lo, hi;
-  [[nodiscard]] bool holds(double begin, double end) const { return begin > lo && end < hi; }
-};
-Range inside(const RayStream& rays, int i, const Domain& box) {
-  const double o[] = {rays.ox[i], rays.oy[i], rays.oz[i]}, d[] = {rays.dx[i], rays.dy[i], rays.dz[i]};
-  double near = 0, far = std::numeric_limits<double>::infinity();
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double t0 = (box.lo[a] - o[a]) / d[a], t1 = (box.hi[a] - o[a]) / d[a];
-    if (d[a] == 0) {
-      if (o[a] < box.lo[a] || o[a] > box.hi[a]) far = -1;
-      continue;
-    }
-    near = std::max(near, std::min(t0, t1));
-    far = std::min(far, std::max(t0, t1));
-  }
-  const double few_ulp = 0x1p-49 * std::max(std::abs(near), std::abs(far));
-  return {near + few_ulp, far - few_ulp};
-}
-
 // One ray of one method: whether its proof agrees with the roots, which go as far as the first.
-void check(Row& row, const HitStream& hits, int i, const Range& range, const FormulaRoots& roots) {
+void check(Row& row, const HitStream& hits, int i, const RayRange& range, const FormulaRoots& roots) {
   const Certificate certificate = hits.certificate[i];
   row.aimed += is_aimed(i);
   if (certificate == Certificate::undecided) {
@@ -121,14 +101,15 @@ void check_formula(const Expression& expression, const Domain& domain, const cha
     TraceCounts counts;
     surface_of(expression, domain, into[r], eps_rel).first_hit(s->rays, hits[r], counts);
   }
+  Box box;
+  for (int a = 0; a < 3; ++a) box.lo[a] = domain.lo[a], box.hi[a] = domain.hi[a];
   reference::ReferenceOptions options;
   options.max_roots = 1;
   options.max_operations = operations;
   for (int i = 0; i < s->rays.size; ++i) {
-    const Range range = inside(s->rays, i, domain);
-    if (!(range.lo < range.hi)) continue;
-    const Double3 o = {s->rays.ox[i], s->rays.oy[i], s->rays.oz[i]},
-                  d = {s->rays.dx[i], s->rays.dy[i], s->rays.dz[i]};
+    const Double3 o = origin_of(s->rays, i), d = {s->rays.dx[i], s->rays.dy[i], s->rays.dz[i]};
+    const RayRange range = range_inside(box, o, d);
+    if (range.empty()) continue;
     const FormulaRoots roots = reference.solve(o, d, range.lo, range.hi, options);
     for (std::size_t r = 0; r < into.size(); ++r) {
       INFO(into[r].method << (into[r].precise ? " double" : " float"));

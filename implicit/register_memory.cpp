@@ -1,4 +1,4 @@
-#include <isocast/implicit/registers.h>
+#include <isocast/implicit/register_memory.h>
 
 #include <cstdlib>
 #include <memory>
