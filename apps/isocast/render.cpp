@@ -125,6 +125,10 @@ void add_render(CLI::App& app) {
       ->type_name("NAME=VALUE");
   verb->add_option("--domain", w->domain,
                    "Box of a formula: LO,HI or XLO,XHI,YLO,YHI,ZLO,ZHI (default: -1,1, or the catalogue's)");
+  verb->add_option("--clip", w->clips,
+                   "A formula g(x,y,z): only what lies where g <= 0 is there; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("FORMULA");
   verb->add_option("--time", w->time, "The variable w of a formula (default 0)");
   verb->add_option(
       "--method", w->method,

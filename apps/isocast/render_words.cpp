@@ -27,17 +27,20 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+double parse_time(const RenderWords& words) {
+  return words.time.empty() ? 0 : parse_number(words.time, "--time");
+}
+
 std::variant<VolumeSource, FormulaSource> find_source(const RenderWords& words) {
   FormulaRequest request{words.input, parse_parameters(words.params, "--param"), {}};
   if (is_volume_file(words.input, request.parameters)) {
-    if (!words.params.empty() || !words.domain.empty() || !words.time.empty())
+    if (!words.domain.empty() || (words.clips.empty() && (!words.params.empty() || !words.time.empty())))
       throw InputError("found --param, --domain or --time for a volume, expected them for a formula");
     return VolumeSource{words.input, words.read};
   }
   if (!words.domain.empty()) request.domain = parse_domain(words.domain, "--domain");
   FormulaInput input = read_formula(request);
-  return FormulaSource{std::move(input.expression), input.domain,
-                       words.time.empty() ? 0 : parse_number(words.time, "--time")};
+  return FormulaSource{std::move(input.expression), input.domain, parse_time(words)};
 }
 
 std::vector<double> parse_shares(const std::string& text, const char* option) {
@@ -122,6 +125,10 @@ SceneDescription describe(const RenderWords& words) {
   if (object.by_component && !std::holds_alternative<FormulaSource>(object.source))
     throw InputError("found --color-components for a volume, expected it for a formula");
   object.normals = words.normals == "difference" ? NormalKind::difference : NormalKind::gradient;
+  for (const std::string& word : words.clips)
+    object.clips.push_back(
+        {parse_expression(typed_formula(word), parse_parameters(words.params, "--param"), "--clip"),
+         parse_time(words)});
   scene.camera = {parse_vector(words.position, "--camera-position"),
                   parse_vector(words.target, "--camera-target"), parse_vector(words.up, "--camera-up"),
                   std::nullopt, std::nullopt};

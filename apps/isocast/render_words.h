@@ -16,7 +16,7 @@ struct RenderWords {
                                                      precision = "float";
   std::string position, target, up, fov, ortho, normals = "gradient", aov, stats;
   std::string domain, time, opacity, reflectivity, environment;
-  std::vector<std::string> set, params, lights;
+  std::vector<std::string> set, params, lights, clips;
   bool shadows = false, by_component = false;
   int spp = 1, threads = 0, transparency_depth = 4, reflections = 1;
   ReadOptions read;

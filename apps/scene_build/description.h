@@ -31,9 +31,15 @@ struct MaterialDescription {
   std::vector<double> opacities, reflectivities;
 };
 
+/// The points where the formula is not positive at this time.
+struct SolidDescription {
+  Expression formula;
+  double time = 0;
+};
+
 /// Iso-surfaces of a volume (`iso` in the file's scaled units; empty: the best of suggested_iso) or of a
 /// formula in a box (empty: 0). `by_component`: the materials are those of the operands of
-/// the min and max in which the formula ends.
+/// the min and max in which the formula ends. `clips`: only what lies in all of them is there.
 struct ObjectDescription {
   std::variant<VolumeSource, FormulaSource> source;
   std::vector<double> iso;
@@ -42,6 +48,7 @@ struct ObjectDescription {
   std::map<std::string, std::string> settings;
   NormalKind normals = NormalKind::gradient;
   bool by_component = false;
+  std::vector<SolidDescription> clips;
 };
 
 /// A scene of one object, its lights and environment (a picture of all directions; empty: none), and what is

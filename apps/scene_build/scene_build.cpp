@@ -3,6 +3,8 @@
 #include <isocast/base/error.h>
 #include <isocast/base/mapped_file.h>
 #include <isocast/implicit/automatic.h>
+#include <isocast/implicit/formula_region.h>
+#include <isocast/ray/clipped_surface.h>
 #include <isocast/render/environment_file.h>
 #include <isocast/volume/statistics.h>
 
@@ -106,6 +108,17 @@ void build(BuiltScene& built, const FormulaSource& source, const ObjectDescripti
   for (const char* part : {"volume", "acceleration structure", "statistics"}) list(built, false, part);
 }
 
+void clip(BuiltScene& built, const std::vector<SolidDescription>& solids) {
+  list(built, !solids.empty(), "clip solids");
+  if (solids.empty()) return;
+  std::vector<std::shared_ptr<const Region>> regions;
+  for (const SolidDescription& solid : solids)
+    regions.push_back(std::make_shared<FormulaRegion>(solid.formula, solid.time));
+  SceneObject& object = built.scene.objects.back();
+  object.surface = std::make_shared<ClippedSurface>(
+      object.surface, std::move(regions), static_cast<std::uint16_t>(built.scene.objects.size() - 1));
+}
+
 }  // namespace
 
 void BuiltScene::set_iso(const std::vector<double>& values, const MaterialDescription& materials) {
@@ -123,6 +136,7 @@ BuiltScene build_scene(const SceneDescription& description, const EvaluationSett
   const ObjectDescription& object = description.object;
   if (!description.environment.empty()) built.scene.environment = read_environment(description.environment);
   std::visit([&](const auto& source) { build(built, source, object, settings); }, object.source);
+  clip(built, object.clips);
   built.set_iso(built.iso, object.materials);
   built.scene.lights = description.lights;
   built.scene.shadows = description.shadows;

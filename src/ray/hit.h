@@ -13,7 +13,8 @@ enum class Certificate : std::uint8_t { no_proof, proved_hit, proved_miss, undec
 /// have a meaning.
 ///
 /// t, t_lo, t_hi  ray parameter of the hit and its bracket, in units of the ray's direction
-/// cell, s, s_hi  cell of the hit (volumes; cell[0] of a formula is the component that was hit, where that was
+/// cell, s, s_hi  cell of the hit (volumes; cell[0] of a formula is the component that was hit, where that
+/// was
 ///                asked for) and the place in its chord, from which next_hit goes on
 /// sides          bit i set: f < iso i in front of the hit
 /// cost           cells tested and cubics solved, or the evaluations of a formula
@@ -36,6 +37,22 @@ inline void clear(HitStream& hits) {
     hits.object[i] = kNoObject;
     hits.certificate[i] = Certificate::no_proof;
   }
+}
+inline bool is_hit(const HitStream& hits, int i) { return hits.t[i] < __builtin_inf(); }
+/// The slot holds no hit any more.
+inline void forget(HitStream& hits, int i) {
+  hits.t[i] = __builtin_inf();
+  hits.object[i] = kNoObject;
+}
+/// All of a slot but its cost.
+inline void copy_slot(const HitStream& from, HitStream& to, int i) {
+  to.t[i] = from.t[i], to.t_lo[i] = from.t_lo[i], to.t_hi[i] = from.t_hi[i];
+  to.s[i] = from.s[i], to.s_hi[i] = from.s_hi[i];
+  for (int a = 0; a < 3; ++a) to.cell[a][i] = from.cell[a][i];
+  to.sides[i] = from.sides[i];
+  to.object[i] = from.object[i];
+  to.iso[i] = from.iso[i];
+  to.certificate[i] = from.certificate[i];
 }
 /// Behind the hit, bit `iso` of sides has changed, unless the surface was only touched (undecided).
 inline std::uint32_t sides_behind(const HitStream& hits, int slot) {

@@ -1,20 +1,6 @@
 #include <isocast/render/crossings.h>
 
 namespace isocast {
-namespace {
-
-void copy_slot(const HitStream& from, HitStream& to, int i) {
-  to.t[i] = from.t[i], to.t_lo[i] = from.t_lo[i], to.t_hi[i] = from.t_hi[i];
-  to.s[i] = from.s[i], to.s_hi[i] = from.s_hi[i];
-  for (int a = 0; a < 3; ++a) to.cell[a][i] = from.cell[a][i];
-  to.sides[i] = from.sides[i];
-  to.object[i] = from.object[i];
-  to.iso[i] = from.iso[i];
-  to.certificate[i] = from.certificate[i];
-}
-
-}  // namespace
-
 void Crossings::first(const Scene& scene, std::span<const std::uint16_t> objects, const RayStream& rays,
                       HitStream& hits, TraceCounts& counts) {
   if (objects.size() == 1) {

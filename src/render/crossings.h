@@ -27,10 +27,4 @@ class Crossings {
   std::vector<HitStream> waiting_;  // per object, where there are several
 };
 
-/// Ends the crossings of a slot.
-inline void forget(HitStream& hits, int i) {
-  hits.t[i] = std::numeric_limits<double>::infinity();
-  hits.object[i] = kNoObject;
-}
-
 }  // namespace isocast

@@ -39,9 +39,6 @@ struct Wave {
 
 inline bool is_ray(const RayStream& rays, int i) { return rays.t_min[i] <= rays.t_max[i]; }
 inline Double3 direction_of(const RayStream& rays, int i) { return {rays.dx[i], rays.dy[i], rays.dz[i]}; }
-inline bool is_hit(const HitStream& hits, int i) {
-  return hits.t[i] < std::numeric_limits<double>::infinity();
-}
 inline Double3 normal_of(const DressedHits& dressed, int i) {
   return {dressed.normal[0][i], dressed.normal[1][i], dressed.normal[2][i]};
 }

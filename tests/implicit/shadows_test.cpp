@@ -30,15 +30,8 @@ std::vector<Setting> settings() {
   return all;
 }
 
-// The largest share of hit pixels, in percent, that may be on the wrong side of a shadow. In float, the finer
-// the tolerance the closer to the surface a ray starts, within the rounding errors of f. Where it leaves at a
-// small angle they reach beyond the first part, which alone counts as no hit: the next one becomes an
-// undecided hit. And an undecided hit does not always know the side that it was met from.
-double wrong_share(const Setting& setting) {
-  constexpr double kUsual = 0.1;
-  if (setting.precise || setting.digits < 16) return kUsual;
-  return setting.digits == 16 ? 0.2 : 1;
-}
+// The largest share of hit pixels, in percent, that may be on the wrong side of a shadow.
+constexpr double kWrongShare = 0.1;
 // And of those that are on the right side for where their ray starts, but not for the exact point: with 2^-8,
 // the near end of a bracket lies up to 1/256 of the domain in front of it, and the shadows' edges move along.
 double moved_share(const Setting& setting) { return setting.digits == 8 ? 0.3 : 0.05; }
@@ -201,12 +194,7 @@ TEST_CASE("shadows from the near ends of brackets are those from exact points", 
       // of few pixels, one or two more are chance
       CHECK(hits > size * size / 4);
       CHECK(skipped <= 0.01 * hits);
-      CHECK(wrong <= 0.01 * wrong_share(all[k]) * hits + 2);
+      CHECK(wrong <= 0.01 * kWrongShare * hits + 2);
       CHECK(moved <= 0.01 * moved_share(all[k]) * hits + 2);
-      if (getenv("D"))
-        printf("%s %s %d 2^-%d hits %d skipped %d wrong %d (%.2f%%) moved %d (%.2f%%)\n", id, all[k].method,
-               all[k].precise, all[k].digits, hits, skipped, wrong, 100.0 * wrong / hits, moved,
-               100.0 * moved / hits);
     }
   }
-}

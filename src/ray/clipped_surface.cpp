@@ -1,0 +1,83 @@
+#include <isocast/ray/clipped_surface.h>
+
+#include <algorithm>
+
+namespace isocast {
+
+ClippedSurface::ClippedSurface(std::shared_ptr<const Surface> surface,
+                               std::vector<std::shared_ptr<const Region>> regions, std::uint16_t object)
+    : surface_(std::move(surface)), regions_(std::move(regions)), object_(object) {}
+
+void ClippedSurface::locate(const RayStream& rays, const HitStream& hits,
+                            Place (&places)[kStreamSize]) const {
+  std::ranges::fill(places, Place{true, true});
+  for (const std::shared_ptr<const Region>& region : regions_) {
+    Place one[kStreamSize];
+    region->locate(rays, hits, one);
+    for (int i = 0; i < rays.size; ++i) {
+      if (!is_hit(hits, i)) continue;
+      const Place &a = places[i], &b = one[i];
+      const bool surely_out = (!a.inside && a.sure) || (!b.inside && b.sure);
+      places[i] = {a.inside && b.inside, surely_out || (a.sure && b.sure)};
+    }
+  }
+}
+
+// Replaces every hit of this object by the first one from there on that lies inside.
+void ClippedSurface::pass_over(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
+  HitStream open = hits;  // the hits that are still to be located
+  for (int i = 0; i < rays.size; ++i)
+    if (open.object[i] != object_) forget(open, i);
+  bool doubt[kStreamSize] = {};
+  const auto tell = [&](int i) {
+    if (doubt[i] && proves()) open.certificate[i] = Certificate::undecided;
+    copy_slot(open, hits, i);
+    hits.cost[i] = open.cost[i];
+    forget(open, i);
+  };
+  for (bool any = true; any;) {
+    any = false;
+    Place places[kStreamSize];
+    locate(rays, open, places);
+    for (int i = 0; i < rays.size; ++i) {
+      if (!is_hit(open, i)) continue;
+      doubt[i] = doubt[i] || !places[i].sure;
+      if (places[i].inside) {
+        tell(i);
+        continue;
+      }
+      any = true;
+      doubt[i] = doubt[i] || open.certificate[i] == Certificate::undecided;
+    }
+    if (!any) return;
+    bool asked[kStreamSize];
+    for (int i = 0; i < rays.size; ++i) asked[i] = is_hit(open, i);
+    surface_->next_hit(rays, open, counts);
+    for (int i = 0; i < rays.size; ++i) {
+      if (!asked[i] || is_hit(open, i)) continue;
+      // a hit that was passed over has left its certificate behind
+      if (open.certificate[i] == Certificate::proved_hit) open.certificate[i] = Certificate::proved_miss;
+      tell(i);
+    }
+  }
+}
+
+void ClippedSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
+  HitStream own;
+  clear(own);
+  if (proves()) std::ranges::fill(own.certificate, Certificate::proved_miss);
+  surface_->first_hit(rays, own, counts);
+  pass_over(rays, own, counts);
+  for (int i = 0; i < rays.size; ++i) {
+    hits.cost[i] += own.cost[i];
+    if (own.t[i] < hits.t[i]) copy_slot(own, hits, i);
+    else if (own.certificate[i] == Certificate::undecided) hits.certificate[i] = Certificate::undecided;
+  }
+}
+
+void ClippedSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
+  surface_->next_hit(rays, hits, counts);
+  pass_over(rays, hits, counts);
+}
+
+}  // namespace isocast
