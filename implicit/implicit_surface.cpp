@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 #include <isocast/base/error.h>
-#include <isocast/implicit/expression/prune.h>
 #include <isocast/implicit/expression/simplify.h>
 #include <isocast/implicit/gradient_scale.h>
 #include <isocast/implicit/implicit_surface.h>
 #include <isocast/implicit/ray_segments.h>
 #include <isocast/implicit/register_memory.h>
-#include <isocast/implicit/tape_cost.h>
 #include <isocast/math/interval.h>
 
 #include <algorithm>
@@ -61,7 +59,7 @@ void ImplicitSurface::set_options(const ImplicitSurfaceOptions& options) {
   if (!method.proves()) eps_ = method.options.step > 0 ? method.options.step : 0x1p-8 * longest;
   shadow_eps_ = std::max(eps_, method.shadow_eps_rel * longest);
   gradient_ = method.proves() ? 0 : median_gradient(tape_, bounds_, options.time);
-  plan_pruning();
+  pruning_ = method.prune ? plan_pruning(tape_, bounds_, options.time, options.iso) : PruningPlan{};
   float_query_ = make_query<float>();
   double_query_ = make_query<double>();
 }
@@ -91,8 +89,8 @@ void ImplicitSurface::trace(const FormulaQuery<T>& query, bool next, const RaySt
     one.sides = next ? sides_behind(hits, i) : rays.start_sides[i];
     if (next && has_hit) hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = std::numeric_limits<double>::infinity();
   }
-  for (int part = 1; part <= parts_; ++part)
-    trace_part(query, double(part) / parts_, rays, traced, hits, counts);
+  for (int part = 1; part <= pruning_.parts; ++part)
+    trace_part(query, double(part) / pruning_.parts, rays, traced, hits, counts);
 }
 
 // The part of the rays that ends at `end`, a share of their way through the box.
@@ -122,7 +120,12 @@ void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const
 
   const FormulaSolver<T>& solver = formula_kernels(options_.isa).solver<T>(options_.method.method);
   FormulaQuery<T> query = whole;
-  if (prunes_) query.tape = pruned_for(segments).view();
+  if (pruning_.prunes) {
+    const bool sides = proves() && options_.method.options.delta == 0;
+    query.tape = pruned_along(segments, tape_, options_.time,
+                              sides ? std::span<const double>(options_.iso) : std::span<const double>())
+                     .view();
+  }
   SegmentRoots<T> roots;
   solver.solve(query, segments, roots, registers_of(tape_.registers * solver.register_bytes));
   for (int i = 0; i < rays.size; ++i) {
@@ -160,51 +163,6 @@ void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const
                           : one.doubt ? Certificate::undecided
                                       : Certificate::proved_hit;
   }
-}
-
-// The tape without what it does not need where the segments lie.
-template <class T> const Tape& ImplicitSurface::pruned_for(const SegmentStream<T>& segments) const {
-  Interval<double> box[3];
-  for (int a = 0; a < 3; ++a) {
-    double lo = kInfinity<double>, hi = -lo;
-    for (int i = 0; i < segments.size; ++i) {
-      if (!segments.active[i]) continue;
-      const double e = segments.e[a][i], f = e + segments.d[a][i], slack = 2.0 * segments.slack[a][i];
-      lo = std::min({lo, e - slack, f - slack}), hi = std::max({hi, e + slack, f + slack});
-    }
-    box[a] = Interval<double>(lo, hi);
-  }
-  thread_local Pruner<T> pruner;
-  const bool sides = proves() && options_.method.options.delta == 0;
-  return pruner.prune(tape_, box, options_.time,
-                      sides ? std::span<const double>(options_.iso) : std::span<const double>());
-}
-
-// Into how many parts rays are cut so that pruning pays: where it leaves little of the tape in small boxes.
-void ImplicitSurface::plan_pruning() {
-  const auto choices = std::ranges::count_if(tape_.code, [](const Instruction& i) {
-    return i.op == Op::min || i.op == Op::max || i.op == Op::choose;
-  });
-  prunes_ = options_.method.prune && choices > 0;
-  parts_ = 1;
-  if (!prunes_) return;
-  constexpr int kBoxes = 8, kParts = 8;
-  double left = 0;
-  int boxes = 0;
-  Pruner<float> pruner;
-  for (int n = 0; n < kBoxes * kBoxes * kBoxes; n += 5) {
-    Interval<double> box[3];
-    const int place[3] = {n % kBoxes, n / kBoxes % kBoxes, n / (kBoxes * kBoxes)};
-    for (int a = 0; a < 3; ++a) {
-      const double edge = (bounds_.hi[a] - bounds_.lo[a]) / kBoxes, lo = bounds_.lo[a] + place[a] * edge;
-      box[a] = Interval<double>(lo, lo + edge);
-    }
-    left += tape_cost(pruner.prune(tape_, box, options_.time, options_.iso), false);
-    ++boxes;
-  }
-  const double share = left / boxes / tape_cost(tape_, false);
-  prunes_ = share < 0.9;
-  if (share < 0.75) parts_ = kParts;
 }
 
 void ImplicitSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {

@@ -5,6 +5,7 @@
 #include <isocast/implicit/expression/domain.h>
 #include <isocast/implicit/expression/tape.h>
 #include <isocast/implicit/methods.h>
+#include <isocast/implicit/segment_pruning.h>
 #include <isocast/implicit/solve/kernels.h>
 #include <isocast/isa/cpu.h>
 #include <isocast/ray/surface.h>
@@ -56,8 +57,6 @@ class ImplicitSurface final : public Surface {
   template <class T> [[nodiscard]] FormulaQuery<T> make_query() const;
   [[nodiscard]] Double3 difference_normal(const Double3& p, double distance) const;
   struct Traced;
-  void plan_pruning();
-  template <class T> [[nodiscard]] const Tape& pruned_for(const SegmentStream<T>& segments) const;
   template <class T>
   void trace_part(const FormulaQuery<T>& whole, double end, const RayStream& rays, Traced* traced,
                   HitStream& hits, TraceCounts& counts) const;
@@ -72,8 +71,7 @@ class ImplicitSurface final : public Surface {
   ImplicitSurfaceOptions options_;
   FormulaQuery<float> float_query_ = {};
   FormulaQuery<double> double_query_ = {};
-  bool prunes_ = false;
-  int parts_ = 1;
+  PruningPlan pruning_;
   double eps_ = 0, shadow_eps_ = 0;
 };
 

@@ -198,3 +198,4 @@ TEST_CASE("shadows from the near ends of brackets are those from exact points", 
       CHECK(moved <= 0.01 * moved_share(all[k]) * hits + 2);
     }
   }
+}
