@@ -1,11 +1,10 @@
 #include <isocast/implicit/expression/evaluate.h>
 #include <isocast/implicit/implicit_surface.h>
 #include <isocast/implicit/register_memory.h>
-#include <isocast/implicit/solve/inclusion.h>
+#include <isocast/math/rounding.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace isocast {
 
@@ -34,22 +33,33 @@ Double3 ImplicitSurface::difference_normal(const Double3& p, double distance) co
 void ImplicitSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
                             DressedHits& dressed) const {
   const DefaultFloatEnvironment environment;
-  using F = Gradient<double>;
-  auto* const registers = static_cast<F*>(registers_of(tape_.registers * sizeof(F)));
+  GradientStream points = {};
+  int slots[kStreamSize];
   for (int i = 0; i < rays.size; ++i) {
-    if (hits.object[i] != options_.object || !(hits.t[i] < std::numeric_limits<double>::infinity())) continue;
-    const Double3 d = {rays.dx[i], rays.dy[i], rays.dz[i]},
-                  p = Double3{rays.ox[i], rays.oy[i], rays.oz[i]} + hits.t[i] * d;
-    if (wishes.position)
-      for (int a = 0; a < 3; ++a) dressed.position[a][i] = p[a];
-    if (!wishes.normal && !wishes.value) continue;
-    const F inputs[4] = {{p[0], 1, 0, 0}, {p[1], 0, 1, 0}, {p[2], 0, 0, 1}, F(options_.time)};
-    const F f = evaluate(tape_.view(), inputs, registers);
-    if (wishes.value) dressed.value[i] = f.value;
+    if (hits.object[i] != options_.object || !is_hit(hits, i)) continue;
+    const double o[3] = {rays.ox[i], rays.oy[i], rays.oz[i]}, d[3] = {rays.dx[i], rays.dy[i], rays.dz[i]};
+    slots[points.size] = i;
+    for (int a = 0; a < 3; ++a) points.position[a][points.size] = o[a] + hits.t[i] * d[a];
+    ++points.size;
+  }
+  if (wishes.position)
+    for (int n = 0; n < points.size; ++n)
+      for (int a = 0; a < 3; ++a) dressed.position[a][slots[n]] = points.position[a][n];
+  if (!wishes.normal && !wishes.value) return;
+
+  const FormulaKernels& kernels = formula_kernels(options_.isa);
+  kernels.find_gradients(tape_.view(), options_.time, points,
+                         registers_of(tape_.registers * kernels.gradient_bytes));
+  for (int n = 0; n < points.size; ++n) {
+    const int i = slots[n];
+    if (wishes.value) dressed.value[i] = points.value[n];
     if (!wishes.normal) continue;
-    const Double3 normal = options_.normals == NormalKind::gradient
-                               ? normalized({f.dx, f.dy, f.dz})
-                               : difference_normal(p, hits.t[i] * length(d));
+    const Double3 d = {rays.dx[i], rays.dy[i], rays.dz[i]};
+    const Double3 normal =
+        options_.normals == NormalKind::gradient
+            ? normalized({points.gradient[0][n], points.gradient[1][n], points.gradient[2][n]})
+            : difference_normal({points.position[0][n], points.position[1][n], points.position[2][n]},
+                                hits.t[i] * length(d));
     const double turn = dot(normal, d) > 0 ? -1 : 1;
     for (int a = 0; a < 3; ++a) dressed.normal[a][i] = turn * normal[a];
   }

@@ -35,6 +35,7 @@ template <class T> FormulaQuery<T> ImplicitSurface::make_query() const {
   for (std::size_t i = 0; i < options_.iso.size(); ++i) {
     const Interval<T> iso = enclosed<T>(options_.iso[i] + options_.method.offset, true);
     query.iso_lo[i] = iso.lo, query.iso_hi[i] = iso.hi;
+    if (options_.method.nearest) query.iso_lo[i] = query.iso_hi[i] = static_cast<T>(options_.iso[i]);
   }
   query.time = options_.time;
   FormulaOptions& method = query.options = options_.method.options;
@@ -56,9 +57,9 @@ void ImplicitSurface::set_options(const ImplicitSurfaceOptions& options) {
   for (int a = 0; a < 3; ++a) longest = std::max(longest, bounds_.hi[a] - bounds_.lo[a]);
   const FormulaMethodChoice& method = options.method;
   eps_ = method.eps > 0 ? method.eps : method.eps_rel * longest;
-  if (!method.proves()) eps_ = method.options.step > 0 ? method.options.step : 0x1p-8 * longest;
+  if (method.marches()) eps_ = method.options.step > 0 ? method.options.step : 0x1p-8 * longest;
   shadow_eps_ = std::max(eps_, method.shadow_eps_rel * longest);
-  gradient_ = method.proves() ? 0 : median_gradient(tape_, bounds_, options.time);
+  gradient_ = !method.marches() ? 0 : median_gradient(tape_, bounds_, options.time);
   pruning_ = method.prune ? plan_pruning(tape_, bounds_, options.time, options.iso) : PruningPlan{};
   float_query_ = make_query<float>();
   double_query_ = make_query<double>();
@@ -113,15 +114,18 @@ void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const
     segments.carried[i] = one.carried;
     segments.sides[i] = one.sides;
     set_segment(segments, i, piece, rays.kind == RayKind::shadow ? shadow_eps_ : eps_);
+    if (options_.method.nearest)
+      for (auto& slack : segments.slack) slack[i] = 0;
   }
   if (!any_active) return;
   for (int first = 0; first < rays.size; first += kPacketSize)
     segments.together[first / kPacketSize] = whole.options.packets && march_together(segments, first);
 
-  const FormulaSolver<T>& solver = formula_kernels(options_.isa).solver<T>(options_.method.method);
+  const FormulaSolver<T>& solver =
+      formula_kernels(options_.isa, options_.method.nearest).solver<T>(options_.method.method);
   FormulaQuery<T> query = whole;
   if (pruning_.prunes) {
-    const bool sides = proves() && options_.method.options.delta == 0;
+    const bool sides = !options_.method.marches() && options_.method.options.delta == 0;
     query.tape = pruned_along(segments, tape_, options_.time,
                               sides ? std::span<const double>(options_.iso) : std::span<const double>())
                      .view();
@@ -135,7 +139,7 @@ void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const
     Traced& one = traced[i];
     const ClippedRay& piece = pieces[i];
     const auto t_at = [&](T s) { return piece.near + static_cast<double>(s) * (piece.far - piece.near); };
-    if (roots.hit[i] && !roots.proved[i] && proves() && roots.s_hi[i] >= T(1) && end < 1) {
+    if (roots.hit[i] && !roots.proved[i] && !options_.method.marches() && roots.s_hi[i] >= T(1) && end < 1) {
       // the next part tells what it is
       one.begin = std::max(one.begin, t_at(roots.s_lo[i]));
       continue;

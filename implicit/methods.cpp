@@ -45,6 +45,16 @@ constexpr MethodOption kBisection = {
     "t: each ray for itself; k: 16 rays are divided together, along the axis that they follow most",
     "t k"};
 
+constexpr MethodOption kRounding = {
+    "rounding",
+    0,
+    0,
+    1,
+    true,
+    "",
+    "outward: bounds hold what rounding adds; nearest: as the papers, a little faster, and nothing is proved",
+    "outward nearest"};
+
 constexpr MethodOption kStep = {
     "step", 0, 0, 1e300, false, "world length", "base step; 0: 2^-8 of the domain's longest edge"};
 constexpr MethodOption tau(std::string_view name, std::string_view meaning) {
@@ -60,11 +70,12 @@ constexpr MethodOption kOffset = {"offset",
                                   "",
                                   "added to every iso-value: fattens a surface that is only touched"};
 
-constexpr MethodOption kInterval[] = {kEps,    kEpsRel,     kDelta,       kBisection,
-                                      kShadow, kNormalStep, kNormalGrows, kPrune};
+constexpr MethodOption kInterval[] = {kEps,        kEpsRel,      kDelta, kBisection, kShadow,
+                                      kNormalStep, kNormalGrows, kPrune, kRounding};
 constexpr MethodOption kAffine[] = {kEps,    kEpsRel,     kDelta,       kBisection, kTrim,
-                                    kShadow, kNormalStep, kNormalGrows, kPrune};
-constexpr MethodOption kDerivative[] = {kEps, kEpsRel, kDelta, kShadow, kNormalStep, kNormalGrows, kPrune};
+                                    kShadow, kNormalStep, kNormalGrows, kPrune,     kRounding};
+constexpr MethodOption kDerivative[] = {kEps,        kEpsRel,      kDelta, kShadow,
+                                        kNormalStep, kNormalGrows, kPrune, kRounding};
 constexpr MethodOption kMarching[] = {
     kStep,
     tau("tau1", "where |f - iso| is at most this, half a step; 0: the median gradient times the base step"),
@@ -98,10 +109,6 @@ constexpr Method kMethods[kFormulaMethodCount] = {
 
 std::span<const Method> formula_methods() { return kMethods; }
 
-bool FormulaMethodChoice::proves() const {
-  return kMethods[static_cast<std::size_t>(method)].proves != "nothing";
-}
-
 FormulaMethodChoice choose_formula_method(std::string_view name,
                                           const std::map<std::string, std::string>& settings) {
   const Method& method = find_method(kMethods, name);
@@ -120,6 +127,7 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   choice.normal_grows = value("normal-grows", 0) != 0;
   FormulaOptions& options = choice.options;
   choice.prune = value("prune", 1) != 0;
+  choice.nearest = value("rounding", 0) == 1;
   options.delta = value("delta", 0);
   options.trim = value("trim", 1) != 0;
   options.packets = value("bisection", 0) == 1;

@@ -18,6 +18,7 @@ namespace isocast {
 /// eps       a length; 0: eps_rel, a fraction of the domain's longest edge
 /// options   step and tau may be 0 as well
 /// offset    added to every iso-value
+/// nearest   inclusions whose bounds are the nearest numbers
 /// prune     where min, max or a choice is decided the tape is run without what it does not need
 /// shadow_eps_rel  eps_rel of shadow rays, if larger
 /// normal_step     stencil of difference normals in eps; `normal_grows`: in proportion to the distance along
@@ -27,8 +28,10 @@ struct FormulaMethodChoice {
   FormulaMethod method = FormulaMethod::affine;
   FormulaOptions options;
   double eps = 0, eps_rel = 0x1p-11, offset = 0, shadow_eps_rel = 0, normal_step = 1;
-  bool normal_grows = false, prune = true;
-  [[nodiscard]] bool proves() const;
+  bool normal_grows = false, prune = true, nearest = false;
+  /// Samples f along the rays instead of including it.
+  [[nodiscard]] bool marches() const { return method >= FormulaMethod::amp_sign; }
+  [[nodiscard]] bool proves() const { return !marches() && !nearest; }
 };
 /// A row with its `--set` values. Throws InputError as find_method and resolve_options do.
 [[nodiscard]] FormulaMethodChoice choose_formula_method(std::string_view name,

@@ -60,8 +60,10 @@ void run(const RenderWords& words) {
 
   BuiltScene built = build_scene(description, evaluation);
   if (!built.proves && std::ranges::find(layers, Layer::certificate) != layers.end())
-    throw InputError(fmt::format(
-        "--aov certificate: the method {} proves nothing ('isocast methods' says which do)", built.method));
+    throw InputError(
+        fmt::format("--aov certificate: the method {} proves nothing with these options ('isocast methods' "
+                    "says which do)",
+                    built.method));
   const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
   RenderSettings settings;
   settings.spp = words.spp;

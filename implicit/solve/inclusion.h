@@ -28,7 +28,7 @@ template <Real R> inline constexpr bool kTrims<AffineForm<R, 1>> = true;
 /// What an inclusion says of f at the near end of its part.
 template <Real R> ISO_HD inline const Interval<R>& near_end_of(const Interval<R>& f) { return f; }
 template <Real R> ISO_HD inline Interval<R> near_end_of(const AffineForm<R, 1>& f) {
-  const R middle = f.c - f.e[0], radius = raised(f.r) + R(kSpacing<Scalar<R>>) * abs(middle);
+  const R middle = f.c - f.e[0], radius = with_roundings(raised(f.r), abs(middle));
   return Interval<R>(down_exact_zero(middle - radius), up_exact_zero(middle + radius), f.defined,
                      f.continuous, f.empty);
 }

@@ -10,24 +10,37 @@ enum class Isa : std::uint8_t;  // isa/cpu.h
 enum class FormulaMethod : std::uint8_t { interval, affine, mitchell, interval_newton, amp_sign, amp_taylor };
 inline constexpr int kFormulaMethodCount = 6;
 
+/// f and its gradient at the first `size` positions; the other numbers are not used but must be there.
+struct alignas(64) GradientStream {
+  double position[3][kStreamSize], value[kStreamSize], gradient[3][kStreamSize];
+  int size;
+};
+
 /// A method's function. `registers` has room for Tape::registers times `register_bytes`, aligned to 64.
 template <class T> struct FormulaSolver {
   using Solve = void(const FormulaQuery<T>&, const SegmentStream<T>&, SegmentRoots<T>&, void* registers);
   Solve* solve;
   std::size_t register_bytes;
 };
+template <class T> struct FormulaSolvers { FormulaSolver<T> of[kFormulaMethodCount]; };
+/// find_gradients  `registers` as a solver's, with room for `gradient_bytes` each
 struct FormulaKernels {
-  FormulaSolver<float> for_float[kFormulaMethodCount];
-  FormulaSolver<double> for_double[kFormulaMethodCount];
+  FormulaSolvers<float> for_float;
+  FormulaSolvers<double> for_double;
+  void (*find_gradients)(const TapeView&, double time, GradientStream&, void* registers);
+  std::size_t gradient_bytes;
 
   template <class T> [[nodiscard]] const FormulaSolver<T>& solver(FormulaMethod method) const {
     const auto i = static_cast<std::size_t>(method);
-    if constexpr (sizeof(T) == 4) return for_float[i];
-    else return for_double[i];
+    if constexpr (sizeof(T) == 4) return for_float.of[i];
+    else return for_double.of[i];
   }
 };
 
 /// The table of an instruction set that runs here. The same segments give the same bits in all of them.
-[[nodiscard]] const FormulaKernels& formula_kernels(Isa isa);
+///
+/// nearest  inclusions whose bounds are the nearest numbers: what such a kernel calls proved is not. Without
+///          the marching methods
+[[nodiscard]] const FormulaKernels& formula_kernels(Isa isa, bool nearest = false);
 
 }  // namespace isocast

@@ -1,6 +1,6 @@
-// Compiled once per instruction set: every solver over the native register of float and double.
+// Compiled once per instruction set and rounding: every solver over the native register of float and double.
 #include <isocast/implicit/solve/bisection.h>
-#include <isocast/implicit/solve/kernels.h>
+#include <isocast/implicit/solve/gradients.h>
 #include <isocast/implicit/solve/marching_points.h>
 #include <isocast/implicit/solve/polish.h>
 #include <isocast/math/pack.h>
@@ -24,15 +24,20 @@ template <class Method, class T> constexpr FormulaSolver<T> solver() {
 }
 template <class T> constexpr auto interval = solver<Bisection<Interval<Native<T>>, Native<T>>, T>();
 template <class T> constexpr auto affine = solver<Bisection<AffineForm<Native<T>, 1>, Native<T>>, T>();
-template <class T> constexpr auto amp_sign = solver<MarchingPoints<false, Native<T>>, T>();
-template <class T> constexpr auto amp_taylor = solver<MarchingPoints<true, Native<T>>, T>();
+// what marches includes nothing: there is one build of it
+template <bool kTaylor, class T> constexpr FormulaSolver<T> marching() {
+  if constexpr (kOutward) return solver<MarchingPoints<kTaylor, Native<T>>, T>();
+  else return {};
+}
+// the order of FormulaMethod; mitchell and interval_newton are interval with other options
+template <class T> constexpr FormulaSolvers<T> solvers() {
+  return {{interval<T>, affine<T>, interval<T>, interval<T>, marching<false, T>(), marching<true, T>()}};
+}
 
 }  // namespace
 
-// the order of FormulaMethod; mitchell and interval_newton are interval with other options
 const FormulaKernels formula_kernel_table = {
-    {interval<float>, affine<float>, interval<float>, interval<float>, amp_sign<float>, amp_taylor<float>},
-    {interval<double>, affine<double>, interval<double>, interval<double>, amp_sign<double>,
-     amp_taylor<double>}};
+    solvers<float>(), solvers<double>(), find_gradients<Native<double>>,
+    kGradientPacks<Native<double>> * sizeof(Gradient<Native<double>>)};
 
 }  // namespace isocast::inline ISO_ISA

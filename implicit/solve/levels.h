@@ -80,7 +80,7 @@ ISO_HD inline Levels<R> find_levels(const AffineForm<R, 1>& f, R lo, R hi,
   const R half = R(0.5) * (hi - lo), middle = lo + half, inverse = R(1) / f.e[0];
   for (int i = 0; i < query.iso_count; ++i) {
     const R iso = R(query.iso_lo[i]), c = f.c - iso;
-    const R radius = f.r + (R(query.iso_hi[i]) - iso) + R(kSpacing<T>) * (abs(f.c) + abs(c));
+    const R radius = with_roundings(f.r + (R(query.iso_hi[i]) - iso), abs(f.c) + abs(c));
     const R centre = -c * inverse, width = radius * abs(inverse);
     const R slack = R(T(8) * kSpacing<T>) * (abs(centre) + width + R(1));
     // a NaN keeps everything

@@ -33,9 +33,12 @@ template <Real R, int N> struct AffineForm {
 };
 
 /// An upper bound of what two dozen roundings made r, a sum of positive numbers; zero is exact.
-template <Real R> ISO_HD inline R raised(R r) { return r + r * R(Scalar<R>(12) * kSpacing<Scalar<R>>); }
-/// What the products of one operation can lose by underflow.
-template <Real R> ISO_HD inline R underflow() { return R(Scalar<R>(12) * kSmallest<Scalar<R>>); }
+template <Real R> ISO_HD inline R raised(R r) { return with_roundings(r, r, 12); }
+/// The same with what the products of one operation can lose by underflow.
+template <Real R> ISO_HD inline R with_underflow(R r) {
+  if constexpr (!kOutward) return r;
+  return r + R(Scalar<R>(12) * kSmallest<Scalar<R>>);
+}
 
 /// sum |e[k]|, nearly.
 template <Real R, int N> ISO_HD inline R spread(const AffineForm<R, N>& a) {
@@ -117,8 +120,7 @@ ISO_HD inline AffineForm<R, N> mapped(const AffineForm<R, N>& a, R slope, R offs
   const R scaled = slope * a.c;
   y.c = scaled + offset;
   each_symbol<N>([&](int k) { y.e[k] = slope * a.e[k]; });
-  y.r = abs(slope) * a.r + error + R(kSpacing<Scalar<R>>) * (abs(scaled) + abs(y.c) + spread(y)) +
-        underflow<R>();
+  y.r = with_underflow(with_roundings(abs(slope) * a.r + error, abs(scaled) + abs(y.c) + spread(y)));
   return settled(y);
 }
 
@@ -133,7 +135,7 @@ ISO_HD inline AffineForm<R, N> operator+(const AffineForm<R, N>& a, const Affine
   AffineForm<R, N> y = a;
   y.c = a.c + b.c;
   each_symbol<N>([&](int k) { y.e[k] = a.e[k] + b.e[k]; });
-  y.r = a.r + b.r + R(kSpacing<Scalar<R>>) * (abs(y.c) + spread(y));
+  y.r = with_roundings(a.r + b.r, abs(y.c) + spread(y));
   return decorated_as(a, b, settled(y));
 }
 template <Real R, int N>
@@ -156,8 +158,8 @@ ISO_HD inline AffineForm<R, N> operator*(const AffineForm<R, N>& a, const Affine
   y.c = a.c * b.c + squares;
   const R spread_a = spread(a), spread_b = spread(b), radius_a = spread_a + a.r, radius_b = spread_b + b.r;
   const R linear = abs(a.c) * spread_b + abs(b.c) * spread_a, quadratic = radius_a * radius_b;
-  y.r = abs(a.c) * b.r + abs(b.c) * a.r + max(quadratic - half, R(0)) +
-        R(kSpacing<Scalar<R>>) * (abs(a.c * b.c) + linear + R(8) * quadratic) + underflow<R>();
+  y.r = with_underflow(with_roundings(abs(a.c) * b.r + abs(b.c) * a.r + max(quadratic - half, R(0)),
+                                      abs(a.c * b.c) + linear + R(8) * quadratic));
   return decorated_as(a, b, settled(y));
 }
 
@@ -168,7 +170,7 @@ template <Real R, int N> ISO_HD inline AffineForm<R, N> square(const AffineForm<
   y.c = a.c * a.c + q;
   each_symbol<N>([&](int k) { y.e[k] = R(2) * (a.c * a.e[k]); });
   const R linear = R(2) * abs(a.c) * spread_a;
-  y.r = R(2) * abs(a.c) * a.r + q + R(kSpacing<Scalar<R>>) * (a.c * a.c + linear + R(8) * q) + underflow<R>();
+  y.r = with_underflow(with_roundings(R(2) * abs(a.c) * a.r + q, a.c * a.c + linear + R(8) * q));
   return settled(y);
 }
 

@@ -69,7 +69,7 @@ template <Real R, int N> ISO_HD inline AffineForm<R, N> fourth_power(const Affin
   const R half = R(0.5) * (radius * radius * (R(6) * square + radius * (R(4) * size + radius)));
   y.c = square * square + half;
   each_symbol<N>([&](int k) { y.e[k] = copysign(slope, a.c) * a.e[k]; });
-  y.r = slope * a.r + half + R(Scalar<R>(4) * kSpacing<Scalar<R>>) * (y.c + slope * radius) + underflow<R>();
+  y.r = with_underflow(with_roundings(slope * a.r + half, y.c + slope * radius, 4));
   return settled(y);
 }
 

@@ -5,6 +5,14 @@
 
 namespace isocast::inline ISO_ISA {
 
+/// Kernels are also built with bounds that are the nearest numbers, as the papers have them: they prove
+/// nothing.
+#ifdef ISO_ROUND_NEAREST
+inline constexpr bool kOutward = false;
+#else
+inline constexpr bool kOutward = true;
+#endif
+
 /// Spacing of numbers at 1.
 template <class T> inline constexpr T kSpacing = T(2) * kUnitRoundoff<T>;
 template <class T> inline constexpr T kInfinity = T(__builtin_inff());
@@ -19,6 +27,7 @@ template <> inline constexpr double kSmallest<double> = __DBL_DENORM_MIN__;
 /// x - (|x| spacings + smallest); -inf stays, +inf becomes the largest finite number.
 template <Real R> ISO_HD inline R lowered(R x, Scalar<R> spacings, Scalar<R> smallest) {
   using T = Scalar<R>;
+  if constexpr (!kOutward) return x;
   const R below = x - (abs(x) * R(spacings * kSpacing<T>) + R(smallest * kSmallest<T>));
   return select(x > R(kLargest<T>), R(kLargest<T>), below);
 }
@@ -34,6 +43,12 @@ template <Real R> ISO_HD inline R down_exact_zero(R x) { return lowered(x, 1, 0)
 template <Real R> ISO_HD inline R down_library(R x) {
   using T = Scalar<R>;
   return lowered(select(x > R(kLargest<T>), R(kLargest<T> / T(2)), x), 2, 2);
+}
+
+/// A radius, with room for as many roundings of numbers as large as `size`.
+template <Real R> ISO_HD inline R with_roundings(R radius, R size, Scalar<R> spacings = 1) {
+  if constexpr (!kOutward) return radius;
+  return radius + R(spacings * kSpacing<Scalar<R>>) * size;
 }
 
 /// At least the true result: the mirror images.

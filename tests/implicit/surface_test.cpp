@@ -26,6 +26,7 @@ constexpr Choice kProving[] = {
     {"interval", "bisection", "t"},         {"interval", "bisection", "k"}, {"affine", "bisection", "t"},
     {"affine", "bisection", "k"},           {"affine", "trim", "0"},        {"mitchell", "eps-rel", "0.001"},
     {"interval-newton", "eps-rel", "0.001"}};
+constexpr Choice kNearest[] = {{"interval", "rounding", "nearest"}, {"affine", "rounding", "nearest"}};
 constexpr Choice kMarching[] = {{"amp-sign", "iterations", "20"}, {"amp-taylor", "iterations", "20"}};
 
 ImplicitSurfaceOptions options_of(const Choice& choice, bool precise = false, Isa isa = widest_isa()) {
@@ -109,6 +110,7 @@ TEST_CASE("what is proved of a sphere is true, and little stays undecided", "[pr
 
 TEST_CASE("every instruction set gives the same bits, whatever the formula") {
   std::vector<Choice> all(std::begin(kProving), std::end(kProving));
+  all.insert(all.end(), std::begin(kNearest), std::end(kNearest));
   all.insert(all.end(), std::begin(kMarching), std::end(kMarching));
   std::mt19937_64 random(2);
   for (const char* formula :
@@ -242,6 +244,35 @@ TEST_CASE("values and normals at hits are those of the formula") {
     CHECK(dressed->value[i] == Approx(0).margin(1e-9));
   }
   CHECK(seen > 20);
+}
+
+TEST_CASE("inclusions that round to the nearest find the same crossings, and prove nothing") {
+  std::mt19937_64 random(7);
+  for (const Choice& method : kNearest)
+    for (const bool precise : {false, true}) {
+      INFO(method.method << (precise ? " double" : " float"));
+      const char* formula = "x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8";
+      const ImplicitSurface surface = surface_of(formula, options_of(method, precise)),
+                            outward = surface_of(formula,
+                                                 options_of({method.method, "rounding", "outward"}, precise));
+      CHECK_FALSE(surface.proves());
+      int differ = 0, hits_seen = 0;
+      for (int round = 0; round < 8; ++round) {
+        const auto s = random_streams(random);
+        const HitStream hits = first_hits(surface, s->rays), proved = first_hits(outward, s->rays);
+        for (int i = 0; i < s->rays.size; ++i) {
+          if (!std::isinf(hits.t[i])) CHECK(hits.certificate[i] == Certificate::no_proof);
+          hits_seen += !std::isinf(hits.t[i]);
+          const double d = length({s->rays.dx[i], s->rays.dy[i], s->rays.dz[i]});
+          const bool same =
+              std::isinf(hits.t[i]) ? std::isinf(proved.t[i]) : std::abs(hits.t[i] - proved.t[i]) * d < 0.01;
+          differ += !same;
+        }
+      }
+      CHECK(hits_seen > 300);
+      // a grazing ray or two
+      CHECK(differ <= 2);
+    }
 }
 
 TEST_CASE("marching points find the sphere's crossings, prove nothing, and touch only where they may") {
