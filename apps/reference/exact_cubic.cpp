@@ -114,6 +114,10 @@ ExactRoot interval_of(const RationalRoot& root) {
 
 }  // namespace
 
+bool is_zero(const ExactCubic& p) {
+  return std::all_of(p.begin(), p.end(), [](const mpz_class& c) { return c == 0; });
+}
+
 mpz_class scaled_value(const ExactCubic& p, const mpz_class& n, int bits) {
   return ((p[3] * n + (p[2] << bits)) * n + (p[1] << (2 * bits))) * n + (p[0] << (3 * bits));
 }

@@ -10,6 +10,7 @@ namespace isocast::reference {
 
 /// c[0] + c[1] s + c[2] s^2 + c[3] s^3; leading coefficients may be zero.
 using ExactCubic = std::array<mpz_class, 4>;
+[[nodiscard]] bool is_zero(const ExactCubic& p);
 
 /// Roots are known to 2^-kRootBits.
 inline constexpr int kRootBits = 63;

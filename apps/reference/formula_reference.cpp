@@ -3,6 +3,7 @@
 #include <isocast/apps/reference/formula_polynomial.h>
 #include <isocast/apps/reference/formula_reference.h>
 #include <isocast/apps/reference/polynomial_roots.h>
+#include <isocast/apps/reference/ray_reference.h>
 #include <isocast/base/error.h>
 
 #include <algorithm>
@@ -60,16 +61,7 @@ FormulaReference::FormulaReference(const Expression& expression, double iso, dou
 
 FormulaRoots FormulaReference::solve(const Double3& o, const Double3& d, double t0, double t1,
                                      const ReferenceOptions& options) const {
-  for (int a = 0; a < 3; ++a) {
-    require_finite("the origin", o[a]);
-    require_finite("the direction", d[a]);
-  }
-  require_finite("the range's begin", t0);
-  require_finite("the range's end", t1);
-  if (!(t0 < t1))
-    throw InputError(
-        fmt::format("the range of the reference is {} to {}, expected one that is not empty", t0, t1));
-
+  require_ray(o, d, t0, t1);
   const RayAxis axes[3] = {ray_axis(o[0], d[0], t0, t1), ray_axis(o[1], d[1], t0, t1),
                            ray_axis(o[2], d[2], t0, t1)};
   const double width = options.width > 0 ? std::max(options.width / (t1 - t0), kLeastWidth) : 1e-12;

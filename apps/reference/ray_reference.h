@@ -9,15 +9,19 @@
 
 namespace isocast::reference {
 
-/// lo <= t <= hi; no other root lies between. `crossing`: f - iso changes sign there, else it only touches.
+/// lo <= t <= hi; no other root of this iso-value lies between. `crossing`: f < iso on one side and f >= iso
+/// on the other, else it only touches. Where nothing is defined beside it, f counts as iso there.
 ///
-/// condition  how far the root moves, in lengths of the domain, for a change of f by its own scale along the
-///            ray: scale of f over |df/dt|, over the domain's longest edge; +inf at a multiple root
-/// distance   to the nearest other root of the ray, in the same unit; +inf where there is none
+/// iso        number of the iso-value
+/// condition  how far the root moves, in unit(), for a change of f by its own scale along the ray: scale over
+///            |df/dt|; rounded, and +inf at a multiple root and at a touch. The scale is the largest
+///            |f - iso| among the corners of the root's cell, or of 64 points of the ray in the domain
+/// distance   to the nearest other root of the ray, of any iso-value, in unit(); +inf where there is none
 struct RayRoot {
   double lo, hi;
   bool crossing;
   double condition, distance;
+  int iso = 0;
 };
 
 /// roots   in increasing order
@@ -46,5 +50,11 @@ class RayReference {
   /// Text of everything that the answers depend on but the ray: the key under which they may be kept.
   [[nodiscard]] virtual std::string identity() const = 0;
 };
+
+/// Throws InputError unless all numbers are finite and t0 < t1.
+void require_ray(const Double3& o, const Double3& d, double t0, double t1);
+
+/// Puts roots and doubts in order and sets the distances; t is worth so many of unit().
+void finish(RayTruth& truth, double units_per_t);
 
 }  // namespace isocast::reference

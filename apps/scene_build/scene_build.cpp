@@ -65,6 +65,7 @@ void build(BuiltScene& built, const VolumeSource& source, const ObjectDescriptio
   start = Clock::now();
   const auto surface = std::make_shared<VolumeSurface>(volume, options);
   built.build_ms = ms_since(start);
+  built.volume = volume;
   built.volume_bytes = volume->bytes();
   built.acceleration_bytes = static_cast<std::int64_t>(surface->acceleration_bytes());
   add_object(built, surface, options);

@@ -25,7 +25,8 @@ struct BuiltScene {
   double load_ms = 0, build_ms = 0;
   std::int64_t volume_bytes = 0, acceleration_bytes = 0;
   bool proves = false;
-  std::size_t components = 0;  // of a formula, where they have materials of their own
+  std::shared_ptr<const Volume> volume;  // of a volume
+  std::size_t components = 0;            // of a formula, where they have materials of their own
   std::function<void(const std::vector<double>& iso)> move_surface;
 
   /// Moves the surfaces to other iso-values (the file's scaled units); nothing is rebuilt.
