@@ -63,6 +63,13 @@ constexpr Method kMethods[kCellMethodCount] = {
     {"schwarze", "volume", "nothing", "library", "float double", kSchwarze,
      "Schwarze: Cubic and quartic roots, Graphics Gems, 1990"},
     {"marmitt", "volume", "nothing", "basic", "float double", kMarmitt, kMarmittPaper},
+    {"certified",
+     "volume",
+     "both",
+     "basic",
+     "float double",
+     {},
+     "isocast: marmitt with outward error bounds of Bernstein coefficients"},
 };
 
 }  // namespace
@@ -82,7 +89,7 @@ CellMethodChoice choose_cell_method(std::string_view name, std::map<std::string,
   CellMethodChoice choice;
   choice.method = static_cast<CellMethod>(&method - kMethods);
   choice.options.iterations = static_cast<int>(value("iterations", 0));
-  choice.options.adaptive = value("adaptive", 0) != 0;
+  choice.options.adaptive = choice.method == CellMethod::certified || value("adaptive", 0) != 0;
   choice.options.stable = value("stable", 1) != 0;
   choice.options.face = value("face", 0) != 0;
   choice.options.touch = value("touch", 0) != 0;

@@ -10,12 +10,13 @@
 
 namespace isocast {
 
-/// midpoint, linear, neubauer, schwarze, marmitt: in the order of CellMethod.
+/// midpoint, linear, neubauer, schwarze, marmitt, certified: in the order of CellMethod.
 [[nodiscard]] std::span<const Method> volume_methods();
 
 struct CellMethodChoice {
   CellMethod method;
   CellOptions options;
+  [[nodiscard]] bool proves() const { return method == CellMethod::certified; }
 };
 /// A row with its `--set` values. `iterations` given without `adaptive` asks for exactly that many steps
 /// (adaptive=0). Throws InputError as find_method and resolve_options do.

@@ -19,6 +19,7 @@ inline constexpr int kMaxIsos = 16;
 /// iso, key         iso-values in stored units, and their thresholds (sample.h), in any order
 /// active           blocks of the walk's coarsest level outside hold no iso-value
 /// cells            the intersectors of the instruction set that was chosen
+/// proves           so does the method
 /// object           written into hits
 struct VolumeQuery {
   GridView grid;
@@ -33,7 +34,7 @@ struct VolumeQuery {
   const CellKernels* cells;
   CellMethod method;
   CellOptions options;
-  bool double_precision;
+  bool double_precision, proves;
   std::uint16_t object;
 };
 

@@ -20,13 +20,14 @@ struct Percentile {
   double percent, value;
 };
 
-/// All values in the users' units (slope and intercept); of a sparse grid those of its active samples. NaN and
-/// infinite samples are counted and otherwise left out.
+/// All values in the users' units (slope and intercept); of a sparse grid those of its active samples. NaN
+/// and infinite samples are counted and otherwise left out.
 ///
 /// min, max       of the finite values; both 0 when there are none
 /// percentiles    0.1 1 5 25 50 75 95 99 99.9: the smallest value with so many percent of the values at or
 ///                below it; exact for integers whose range is below 65536, else within 1/65536 of the range
-/// suggested_iso  best first, each strictly between min and max: 0 for level sets, Otsu's threshold of the histogram, then
+/// suggested_iso  best first, each strictly between min and max: 0 for level sets, Otsu's threshold of the
+/// histogram, then
 ///                those of the percentiles 95, 75, 99, 50 and 25 that differ from min, max and all before by
 ///                1/64 of the range; of a constant volume the constant; empty without finite values, or where
 ///                no number lies between min and max

@@ -17,9 +17,16 @@ inline void solve_packet(const VolumeQuery& query, const CellPacket<double>& pac
   query.cells->solve_double[int(query.method)](query.options, &packet, &roots, 1);
 }
 
+/// What the roundings of double precision can move the points of a ray by, in grid space: at_origin + |t|
+/// along.
+struct RaySlack {
+  double at_origin, along;
+};
+
 /// What a lane carries from cell to cell. Only in its first cell may the signs at the start be known (bits of
 /// `sides`, f is then not evaluated there): where the ray starts on this very surface, or goes on behind a
-/// hit. There roots are sought behind `begin`, and behind `begin_of_iso` for the iso-value that was hit.
+/// hit. There roots are sought behind `begin`, and behind `begin_of_iso` for the iso-value that was hit. Of
+/// methods that prove: `doubt` if something before this cell was not proved.
 template <class Grid> struct Lane {
   GridRay ray;
   GridWalk<Grid::kLevels> walk;
@@ -27,7 +34,8 @@ template <class Grid> struct Lane {
   std::uint32_t active = 0, sides = 0;
   double begin = 0, begin_of_iso = 0;
   int iso_of_hit = -1;
-  bool carried = false;
+  bool carried = false, doubt = false;
+  RaySlack slack = {};
 
   void leave_first_cell() {
     carried = false;
@@ -36,16 +44,24 @@ template <class Grid> struct Lane {
   }
 };
 
+/// How far the ends of the lane's chord may truly be from where they are: the ray's slack, twice for what a
+/// face cuts off, and the rounding to T.
+template <class T, class Grid> inline T chord_slack(const Lane<Grid>& lane) {
+  const double t = max(abs(lane.walk.t_in), abs(lane.walk.t_out()));
+  const double slack = 2 * (lane.slack.at_origin + t * lane.slack.along);
+  return T(slack * 1.0001) + T(kUnitRoundoff<T>);
+}
+
 /// Corners minus iso, chord and starting point of one lane's cell for one iso-value; false when a corner is
 /// not finite.
 template <class T, class Grid>
-inline bool fetch_cell(const Grid& grid, const Lane<Grid>& lane, double iso, int iso_index,
+inline bool fetch_cell(const VolumeQuery& query, const Grid& grid, const Lane<Grid>& lane, int iso_index,
                        CellPacket<T>& packet, int l) {
   typename Grid::Sample raw[8];
   grid.load_corners(lane.walk.cell(), lane.place, raw);
   T finite = 0;
   for (int k = 0; k < 8; ++k) {
-    packet.f[k][l] = corner_value<T>(raw[k], iso);
+    packet.f[k][l] = corner_value<T>(raw[k], query.iso[iso_index]);
     finite += packet.f[k][l] * T(0);
   }
   const LevelWalk& cell = lane.walk.level[lane.walk.kCells];
@@ -57,6 +73,7 @@ inline bool fetch_cell(const Grid& grid, const Lane<Grid>& lane, double iso, int
     packet.entry[a][l] = entry[a];
     packet.exit[a][l] = exit[a];
   }
+  packet.slack[l] = query.proves ? chord_slack<T>(lane) : T(0);
   packet.begin[l] = T(iso_index == lane.iso_of_hit ? lane.begin_of_iso : lane.begin);
   packet.carry[l] = lane.carried ? (lane.sides >> iso_index & 1 ? T(-0.0) : T(0)) : T(__builtin_nan(""));
   return finite == T(0);
@@ -79,17 +96,18 @@ inline std::uint32_t sides_in_front(const VolumeQuery& query, const Grid& grid, 
   for (int i = 0; i < query.iso_count; ++i) {
     if (i == hit_iso) continue;
     if (lane.carried) sides |= lane.sides & 1u << i;
-    else if (fetch_cell(grid, lane, query.iso[i], i, cell, 0))
+    else if (fetch_cell(query, grid, lane, i, cell, 0))
       sides |= std::uint32_t(negative(value_at_entry(cell, 0))) << i;
   }
   return sides;
 }
 
-/// The nearest root among the iso-values in each lane's cell.
+/// The nearest root among the iso-values in each lane's cell. unproved: that it is this one, or that there is
+/// none.
 template <class T> struct Nearest {
   T s[kPacketSize], s_lo[kPacketSize], s_hi[kPacketSize];
   int iso[kPacketSize];
-  std::uint32_t hit = 0, undecided = 0, behind = 0;
+  std::uint32_t hit = 0, undecided = 0, behind = 0, unproved = 0;
 };
 template <class T, class Grid>
 inline Nearest<T> solve_cells(const VolumeQuery& query, const Grid& grid, const Lane<Grid>* lanes,
@@ -100,13 +118,14 @@ inline Nearest<T> solve_cells(const VolumeQuery& query, const Grid& grid, const 
     packet.active = 0;
     for (std::uint32_t rest = alive; rest; rest &= rest - 1) {
       const int l = __builtin_ctz(rest);
-      if (!(lanes[l].active >> i & 1) || !fetch_cell(grid, lanes[l], query.iso[i], i, packet, l)) continue;
+      if (!(lanes[l].active >> i & 1) || !fetch_cell(query, grid, lanes[l], i, packet, l)) continue;
       packet.active |= 1u << l;
       ++cost[l];
       ++counts.solves;
     }
     if (packet.active == 0) continue;
     solve_packet(query, packet, roots);
+    nearest.unproved |= packet.active & ~roots.proved;
 
     // exactly zero at the very start of a ray is a hit there; the side behind is the positive one
     for (std::uint32_t rest = packet.active; rest; rest &= rest - 1) {
@@ -120,6 +139,8 @@ inline Nearest<T> solve_cells(const VolumeQuery& query, const Grid& grid, const 
     for (std::uint32_t rest = roots.hit; rest; rest &= rest - 1) {
       const int l = __builtin_ctz(rest);
       const std::uint32_t bit = 1u << l;
+      if ((nearest.hit & bit) && roots.s_lo[l] < nearest.s_hi[l] && nearest.s_lo[l] < roots.s_hi[l])
+        nearest.unproved |= bit;
       if ((nearest.hit & bit) && !(roots.s[l] < nearest.s[l])) continue;
       nearest.s[l] = roots.s[l];
       nearest.s_lo[l] = roots.s_lo[l];
@@ -139,16 +160,21 @@ inline void record_hit(const VolumeQuery& query, const Grid& grid, const Lane<Gr
                        const Nearest<T>& nearest, int l, const RayStream& rays, HitStream& hits, int i) {
   const double t_in = lane.walk.t_in, span = lane.walk.t_out() - t_in, t = t_in + double(nearest.s[l]) * span;
   if (!(t <= rays.t_max[i] && t < hits.t[i])) return;
-  const bool undecided = nearest.undecided >> l & 1, behind = nearest.behind >> l & 1;
+  const bool undecided = (nearest.undecided >> l & 1) || (query.proves && lane.doubt),
+             behind = nearest.behind >> l & 1;
   hits.t[i] = t;
-  hits.t_lo[i] = t_in + double(nearest.s_lo[l]) * span;
-  hits.t_hi[i] = t_in + double(nearest.s_hi[l]) * span;
+  // what the roundings of t can make
+  const double slack = query.proves ? 0x1p-50 * max(abs(t_in), abs(t_in + span)) : 0;
+  hits.t_lo[i] = t_in + double(nearest.s_lo[l]) * span - slack;
+  hits.t_hi[i] = t_in + double(nearest.s_hi[l]) * span + slack;
   hits.s[i] = nearest.s[l];
   hits.s_hi[i] = nearest.s_hi[l];
   for (int a = 0; a < 3; ++a) hits.cell[a][i] = lane.walk.cell()[a];
   hits.iso[i] = std::uint8_t(nearest.iso[l]);
   hits.object[i] = query.object;
-  hits.certificate[i] = undecided ? Certificate::undecided : Certificate::no_proof;
+  hits.certificate[i] = undecided      ? Certificate::undecided
+                        : query.proves ? Certificate::proved_hit
+                                       : Certificate::no_proof;
   hits.sides[i] = sides_in_front<T>(query, grid, lane, nearest.iso[l], behind, undecided);
 }
 
@@ -174,6 +200,8 @@ inline void trace_packet(const VolumeQuery& query, const Grid& grid, Lane<Grid>*
     }
     if (!alive) break;
     const Nearest<T> nearest = solve_cells(query, grid, lanes, alive, cost, packet, roots, counts);
+    for (std::uint32_t rest = nearest.unproved; rest; rest &= rest - 1)
+      lanes[__builtin_ctz(rest)].doubt = true;
 
     for (std::uint32_t rest = nearest.hit; rest; rest &= rest - 1) {
       const int l = __builtin_ctz(rest);
@@ -181,8 +209,11 @@ inline void trace_packet(const VolumeQuery& query, const Grid& grid, Lane<Grid>*
     }
     alive &= ~nearest.hit;
   }
-  for (std::uint32_t rest = all; rest; rest &= rest - 1)
-    hits.cost[slot + __builtin_ctz(rest)] += cost[__builtin_ctz(rest)];
+  for (std::uint32_t rest = all; rest; rest &= rest - 1) {
+    const int l = __builtin_ctz(rest);
+    hits.cost[slot + l] += cost[l];
+    if (query.proves && lanes[l].doubt) hits.certificate[slot + l] = Certificate::undecided;
+  }
 }
 
 }  // namespace isocast::inline ISO_ISA

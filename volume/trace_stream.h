@@ -16,11 +16,24 @@ inline GridRay grid_ray(const VolumeQuery& query, const RayStream& rays, int i) 
   return make_grid_ray(o, d, query.samples);
 }
 
+/// 16 unit roundoffs of everything that the points of that ray are sums of.
+inline RaySlack ray_slack(const VolumeQuery& query, const RayStream& rays, int i) {
+  RaySlack slack = {};
+  for (const double(&row)[4] : query.grid_from_world) {
+    const double x = abs(row[0]), y = abs(row[1]), z = abs(row[2]);
+    slack.at_origin =
+        max(slack.at_origin, x * abs(rays.ox[i]) + y * abs(rays.oy[i]) + z * abs(rays.oz[i]) + abs(row[3]));
+    slack.along = max(slack.along, x * abs(rays.dx[i]) + y * abs(rays.dy[i]) + z * abs(rays.dz[i]));
+  }
+  return {0x1p-49 * slack.at_origin, 0x1p-49 * slack.along};
+}
+
 /// A fresh ray, or one that starts on this surface and knows its sides; false if it misses the grid.
 template <class Grid>
 inline bool start(const VolumeQuery& query, const Grid& grid, const RayStream& rays, const HitStream& hits,
                   int i, Lane<Grid>& lane) {
   lane.ray = grid_ray(query, rays, i);
+  if (query.proves) lane.slack = ray_slack(query, rays, i);
   lane.carried = rays.start_object[i] == query.object;
   lane.sides = rays.start_sides[i];
   return enter_grid(lane.ray, grid.shifts[0], query.active, rays.t_min[i], min(hits.t[i], rays.t_max[i]),
@@ -34,6 +47,7 @@ inline bool resume(const VolumeQuery& query, const Grid& grid, const RayStream& 
   if (hits.object[i] != query.object || !(hits.t[i] < __builtin_inf())) return false;
   hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = __builtin_inf();
   lane.ray = grid_ray(query, rays, i);
+  if (query.proves) lane.slack = ray_slack(query, rays, i);
   lane.carried = true;
   lane.sides = sides_behind(hits, i);
   lane.begin = hits.s[i];

@@ -133,6 +133,7 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
   }
   query_.method = options.method.method;
   query_.options = options.method.options;
+  query_.proves = options.method.proves();
   query_.double_precision = options.double_precision;
   query_.object = options.object;
   normals_ = options.normals;

@@ -15,7 +15,6 @@
 
 namespace isocast {
 
-
 /// iso       1 to kMaxIsos values in the user's units (slope and intercept of the file)
 /// isa       which kernels run, by default the widest for this processor; all give the same bits
 /// normals   gradient: of the trilinear interpolant in the hit cell, exact and discontinuous across faces;
@@ -47,6 +46,7 @@ class VolumeSurface final : public Surface {
 
   /// The whole grid, whatever the iso-values; empty for a sparse grid without an active sample.
   [[nodiscard]] Box bounds() const override { return bounds_; }
+  [[nodiscard]] bool proves() const override { return query_.proves; }
   /// By the box of the blocks that hold an iso-value.
   [[nodiscard]] bool narrow(const TileFrustum& tile) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;

@@ -12,13 +12,13 @@ namespace isocast::inline ISO_ISA {
 template <Real R> struct Cell {
   R f[8];
   Vec3<R> entry, exit;
-  R begin, carry;
+  R begin, carry, slack;
 };
 
 /// The lanes of a RootPacket. `sign_behind` true: f is negative behind the root.
 template <Real R> struct Root {
   R s, s_lo, s_hi;
-  Mask<R> hit, undecided, sign_behind;
+  Mask<R> hit, undecided, sign_behind, proved = Mask<R>(false);
 };
 
 /// Steps end where they fall below this fraction of the chord: 2^-20 in float, 2^-46 in double.

@@ -1,5 +1,6 @@
 // Compiled once per instruction set: every intersector over the native register of float and double.
 #include <isocast/math/pack.h>
+#include <isocast/volume/cell/certified.h>
 #include <isocast/volume/cell/kernels.h>
 #include <isocast/volume/cell/linear.h>
 #include <isocast/volume/cell/marmitt.h>
@@ -22,6 +23,7 @@ template <Real R> Cell<R> load_cell(const CellPacket<Scalar<R>>& packet, int lan
                load<R>(packet.exit[2] + lane)};
   cell.begin = load<R>(packet.begin + lane);
   cell.carry = load<R>(packet.carry + lane);
+  cell.slack = load<R>(packet.slack + lane);
   return cell;
 }
 
@@ -35,7 +37,7 @@ template <class T> struct Methods {
                     std::size_t count) {
     constexpr unsigned lanes = (1ull << kWidth<R>)-1;
     for (std::size_t i = 0; i < count; ++i) {
-      std::uint32_t hit = 0, undecided = 0, sign = 0;
+      std::uint32_t hit = 0, undecided = 0, sign = 0, proved = 0;
       for (int lane = 0; lane < kPacketSize; lane += kWidth<R>) {
         const std::uint32_t active = packets[i].active >> lane & lanes;
         if (active == 0) continue;
@@ -46,10 +48,12 @@ template <class T> struct Methods {
         hit |= (bits_of(root.hit) & active) << lane;
         undecided |= (bits_of(root.undecided) & active) << lane;
         sign |= (bits_of(root.sign_behind) & active) << lane;
+        proved |= (bits_of(root.proved) & active) << lane;
       }
       roots[i].hit = hit;
       roots[i].undecided = undecided;
       roots[i].sign = sign;
+      roots[i].proved = proved;
     }
   }
 };
@@ -61,9 +65,9 @@ template <class T> using M = Methods<T>;
 // the order of CellMethod
 const CellKernels cell_kernel_table = {
     {M<float>::solve<midpoint>, M<float>::solve<linear>, M<float>::solve<neubauer>, M<float>::solve<schwarze>,
-     M<float>::solve<marmitt>},
+     M<float>::solve<marmitt>, M<float>::solve<certified>},
     {M<double>::solve<midpoint>, M<double>::solve<linear>, M<double>::solve<neubauer>,
-     M<double>::solve<schwarze>, M<double>::solve<marmitt>},
+     M<double>::solve<schwarze>, M<double>::solve<marmitt>, M<double>::solve<certified>},
     kWidth<Native<float>>,
     kWidth<Native<double>>};
 

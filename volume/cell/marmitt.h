@@ -79,6 +79,18 @@ ISO_HD inline Root<R> first_root(const P& p, const Cell<R>& cell, const CellOpti
           behind != crossing_follows};
 }
 
+/// The same in Bernstein form: there are as many roots as changes of sign among the coefficients, or fewer by
+/// two. None is a miss, one needs no isolation.
+template <Real R>
+ISO_HD inline Root<R> first_root(const BernsteinCubic<R>& p, const Cell<R>& cell,
+                                 const CellOptions& options) {
+  const Mask<R> n0 = negative(with_carried_sign(cell, p.c0)), n1 = negative(p.c1), n2 = negative(p.c2),
+                n3 = negative(p.c3);
+  const Mask<R> a = n0 != n1, b = n1 != n2, c = n2 != n3;
+  const Mask<R> maybe = a | b | c, several = (a & b) | (b & c) | (a & c);
+  return first_root(p, cell, options, maybe, options.touch ? Mask<R>(true) : several);
+}
+
 /// First root of the trilinear field along the chord; none if f is of one sign.
 ///
 /// With stable=1 the cubic is in Bernstein form and its extrema come from a quadratic formula without
@@ -94,14 +106,7 @@ ISO_HD inline Root<R> first_root(const P& p, const Cell<R>& cell, const CellOpti
 template <Real R> ISO_HD inline Root<R> marmitt(const Cell<R>& cell, const CellOptions& options) {
   if (!options.stable)
     return first_root(textbook_cubic_along(cell), cell, options, Mask<R>(true), Mask<R>(true));
-  const BernsteinCubic<R> p = cubic_along(cell);
-  // as many roots as changes of sign among the coefficients, or fewer by two: none is a miss, one needs no
-  // isolation
-  const Mask<R> n0 = negative(with_carried_sign(cell, p.c0)), n1 = negative(p.c1), n2 = negative(p.c2),
-                n3 = negative(p.c3);
-  const Mask<R> a = n0 != n1, b = n1 != n2, c = n2 != n3;
-  const Mask<R> maybe = a | b | c, several = (a & b) | (b & c) | (a & c);
-  return first_root(p, cell, options, maybe, options.touch ? Mask<R>(true) : several);
+  return first_root(cubic_along(cell), cell, options);
 }
 
 }  // namespace isocast::inline ISO_ISA

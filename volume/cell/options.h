@@ -5,8 +5,8 @@
 
 namespace isocast {
 
-enum class CellMethod : std::uint8_t { midpoint, linear, neubauer, schwarze, marmitt };
-inline constexpr int kCellMethodCount = 5;
+enum class CellMethod : std::uint8_t { midpoint, linear, neubauer, schwarze, marmitt, certified };
+inline constexpr int kCellMethodCount = 6;
 
 /// Meanings and defaults per method are in the method table (volume/methods.cpp).
 struct CellOptions {

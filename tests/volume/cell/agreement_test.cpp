@@ -22,7 +22,7 @@ struct Variant {
 
 // Every combination of the options that a method has.
 std::vector<Variant> variants() {
-  std::vector<Variant> all = {{CellMethod::midpoint, {}}};
+  std::vector<Variant> all = {{CellMethod::midpoint, {}}, {CellMethod::certified, {.adaptive = true}}};
   for (const bool a : {false, true}) {
     all.push_back({CellMethod::linear, {.face = a}});
     all.push_back({CellMethod::schwarze, {.stable = a}});
@@ -53,7 +53,9 @@ template <class T> void shorten_some(std::vector<CellPacket<T>>& packets, std::u
 
 // Bits of one lane's answer; what a lane without a hit holds means nothing.
 template <class T> bool same_bits(const RootPacket<T>& a, const RootPacket<T>& b) {
-  if (a.hit != b.hit || a.undecided != b.undecided || (a.sign & a.hit) != (b.sign & b.hit)) return false;
+  if (a.hit != b.hit || a.undecided != b.undecided || (a.sign & a.hit) != (b.sign & b.hit) ||
+      a.proved != b.proved)
+    return false;
   for (int lane = 0; lane < kPacketSize; ++lane) {
     if (!(a.hit >> lane & 1)) continue;
     const T x[] = {a.s[lane], a.s_lo[lane], a.s_hi[lane]}, y[] = {b.s[lane], b.s_lo[lane], b.s_hi[lane]};
