@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/apps/reference/cell_reference.h>
+#include <isocast/apps/reference/ray_reference.h>
 #include <isocast/isa/cpu.h>
 #include <isocast/volume/cell/kernels.h>
 
@@ -12,15 +13,24 @@
 namespace isocast::bench {
 
 /// The names of interface.md: a root is a crossing (cell_reference.h), wrong_root a hit that is nearer to
-/// another root.
-enum class Verdict : std::uint8_t { hit, miss, false_hit, false_miss, wrong_root };
+/// another root; undecided: the method says that it does not know; unknown: the reference does.
+enum class Verdict : std::uint8_t { hit, miss, false_hit, false_miss, wrong_root, undecided, unknown };
 
-/// error  |s - s of the first crossing|, for hits only
+/// error  |s - s of the first crossing| (or of t), where both are
 struct Judgement {
   Verdict verdict;
   double error;
 };
 [[nodiscard]] Judgement judge(const reference::CellReference& reference, bool hit, double s);
+/// The same of a whole ray, whose truth is decided; errors in t.
+[[nodiscard]] Judgement judge(const reference::RayTruth& truth, bool hit, double t);
+
+/// The first crossing of a ray, or null.
+[[nodiscard]] const reference::RayRoot* first_crossing(const reference::RayTruth& truth);
+[[nodiscard]] inline double middle(const reference::RayRoot& root) { return 0.5 * (root.lo + root.hi); }
+
+/// Between 0 and 180; 0 where a vector is zero.
+[[nodiscard]] double angle_in_degrees(const Double3& a, const Double3& b);
 
 /// Solves packets in the precision of T.
 template <class T>

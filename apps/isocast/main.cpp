@@ -44,7 +44,9 @@ int main(int argc, char** argv) try {
   isocast::verbs::add_sample(app);
   isocast::verbs::add_info(app);
   isocast::verbs::add_surfaces(app);
+  isocast::verbs::add_probe(app);
   isocast::verbs::add_bench(app);
+  isocast::verbs::add_compare(app);
 
   std::vector<std::string> words(argv + 1, argv + argc);
   check_verb(app, words);
@@ -52,6 +54,8 @@ int main(int argc, char** argv) try {
   std::vector<std::string> reversed(words.rbegin(), words.rend());
   try {
     app.parse(reversed);
+  } catch (const CLI::RuntimeError& error) {  // the verb has said why
+    return error.get_exit_code();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     fmt::print(stderr, "isocast: {}\nRun 'isocast --help' or 'isocast VERB --help' for the options.\n",

@@ -1,9 +1,9 @@
 // isocast render: a picture of the iso-surfaces of a volume or a formula.
 #include <fmt/format.h>
 #include <isocast/apps/isocast/render_words.h>
+#include <isocast/apps/isocast/scene_options.h>
 #include <isocast/apps/isocast/stats.h>
 #include <isocast/apps/isocast/verbs.h>
-#include <isocast/apps/isocast/volume_options.h>
 #include <isocast/base/error.h>
 #include <isocast/base/interrupt.h>
 #include <isocast/base/output_file.h>
@@ -109,43 +109,23 @@ void add_render(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "render", "Pictures of iso-surfaces of a volume or a formula: PNG, or EXR with layers");
   const auto w = std::make_shared<RenderWords>();
-  verb->add_option("INPUT", w->input,
-                   "A volume file, a formula of x y z w, a .vm tape, or @id of the catalogue")
-      ->required();
+  add_scene_options(*verb, *w,
+                    "auto (marmitt for volumes, interval or affine for formulas), or a name that 'isocast "
+                    "methods' lists");
   verb->add_option("-o", w->output, "The picture: .png (sRGB) or .exr (linear, with layers)")->required();
-  verb->add_option(
-      "--iso", w->iso,
-      "Iso-values V[,V...] in the file's units (default: the best of suggested_iso; 0 for formulas)");
   verb->add_option("--iso-sweep", w->iso_sweep,
                    "FROM:TO:COUNT, a frame per value: OUT_0000.png, OUT_0001.png, ...");
   verb->add_option("--colors", w->colors, "A colour per iso-value: #rrggbb[,#rrggbb...]");
   verb->add_option("--opacity", w->opacity, "0 to 1 per iso-value, A[,A...] (default 1)");
   verb->add_option("--reflectivity", w->reflectivity,
                    "The mirrored share of the colour per iso-value, 0 to 1, R[,R...] (default 0)");
-  verb->add_option("--param", w->params, "A parameter of the formula, such as a=2")
-      ->allow_extra_args(false)
-      ->type_name("NAME=VALUE");
-  verb->add_option("--domain", w->domain,
-                   "Box of a formula: LO,HI or XLO,XHI,YLO,YHI,ZLO,ZHI (default: -1,1, or the catalogue's)");
   verb->add_option("--clip", w->clips,
                    "A formula g(x,y,z): only what lies where g <= 0 is there; may be given several times")
       ->allow_extra_args(false)
       ->type_name("FORMULA");
-  verb->add_option("--time", w->time, "The variable w of a formula (default 0)");
-  verb->add_option(
-      "--method", w->method,
-      "auto (marmitt for volumes, interval or affine for formulas), or a name that 'isocast methods' lists");
-  verb->add_option("--set", w->set, "An option of the method, KEY=VALUE")->allow_extra_args(false);
-  verb->add_option("--size", w->size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
   verb->add_option("--spp", w->spp,
                    "Samples per pixel for the colour; layers are those of the centre (default 1)")
       ->check(CLI::Range(1, 4096));
-  verb->add_option("--camera-position", w->position, "X,Y,Z in world units (default: frames the volume)");
-  verb->add_option("--camera-target", w->target, "X,Y,Z in world units");
-  verb->add_option("--camera-up", w->up, "X,Y,Z (default 0,0,1)");
-  CLI::Option* fov = verb->add_option("--fov", w->fov, "Vertical field of view in degrees (default 45)");
-  verb->add_option("--ortho", w->ortho, "Orthographic camera: height of the picture in world units")
-      ->excludes(fov);
   verb->add_option("--light", w->lights,
                    "X,Y,Z: direction towards a directional light; up to 8 times, n lights have 1/n of the "
                    "strength each (default: a headlight)")
@@ -168,12 +148,10 @@ void add_render(CLI::App& app) {
                    "gradient (of the cell, exact) or difference (central differences, smooth)")
       ->check(CLI::IsMember({"gradient", "difference"}));
   verb->add_option("--aov", w->aov, "Layers of the EXR: depth,z,normal,position,id,value,cost,certificate");
-  verb->add_option("--isa", w->isa, "auto, scalar, sse4, avx2 or avx512: the same picture with each");
   verb->add_option("--precision", w->precision, "float (default) or double")
       ->check(CLI::IsMember({"float", "double", "mixed"}));
   verb->add_option("--threads", w->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
   verb->add_option("--stats", w->stats, "What was done, as JSON, to a file or - for stdout");
-  add_read_options(*verb, w->read);
   verb->callback([w] { run(*w); });
 }
 

@@ -26,11 +26,18 @@ bool may_meet(const RoundedLine& line, const double (&lo)[3], const double (&hi)
   return in <= out;
 }
 
+constexpr std::int64_t kMostBlocks = 1 << 23;
+constexpr std::size_t kMostCells = 1 << 17;
+
+// Divides blocks that the line may meet, down to cells.
 struct Search {
   const VolumeCells& cells;
   const RoundedLine& line;
   std::span<const double> iso;
-  std::vector<CellCorners> found;
+  std::vector<CellCorners> found = {};
+  std::int64_t blocks_left = kMostBlocks;
+
+  [[nodiscard]] bool exhausted() const { return blocks_left <= 0 || found.size() > kMostCells; }
 
   // with its samples, inside the grid
   [[nodiscard]] bool may_meet(const CellBlock& block) const {
@@ -49,7 +56,8 @@ struct Search {
   }
 
   void visit(const CellBlock& block) {
-    if (!may_meet(block)) return;
+    if (exhausted() || !may_meet(block)) return;
+    --blocks_left;
     if (const auto value = cells.uniform(block); value && std::ranges::find(iso, *value) == iso.end()) return;
     if (block.shift == 0) {
       CellCorners cell{block.origin, {}};
@@ -66,8 +74,8 @@ struct Search {
 
 }  // namespace
 
-std::vector<CellCorners> cells_along(const VolumeCells& cells, const ExactLine& line,
-                                     std::span<const double> iso) {
+std::optional<std::vector<CellCorners>> cells_along(const VolumeCells& cells, const ExactLine& line,
+                                                    std::span<const double> iso) {
   // nowhere near: then numbers may be too large for the search
   Double3 center, size;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -75,9 +83,11 @@ std::vector<CellCorners> cells_along(const VolumeCells& cells, const ExactLine& 
     size[a] = double(cells.last[a]) - cells.first[a];
   }
   const RoundedLine rounded = line.near(center);
-  if (!(length(Double3{rounded.o[0], rounded.o[1], rounded.o[2]} - center) <= 1 + length(size))) return {};
-  Search search{cells, rounded, iso, {}};
+  if (!(length(Double3{rounded.o[0], rounded.o[1], rounded.o[2]} - center) <= 1 + length(size)))
+    return std::vector<CellCorners>();
+  Search search{cells, rounded, iso};
   for (const CellBlock& block : cells.blocks) search.visit(block);
+  if (search.exhausted()) return std::nullopt;
   return std::move(search.found);
 }
 

@@ -37,7 +37,7 @@ class Writer {
     put(truth.roots.size());
     for (const RayRoot& r : truth.roots) {
       for (const double x : {r.lo, r.hi, r.condition, r.distance}) put(x);
-      put(r.crossing);
+      put(std::uint8_t{r.crossing});
       put(r.iso);
     }
     put(truth.doubts.size());
@@ -75,7 +75,7 @@ class Reader {
     for (auto left = get<std::size_t>(); left > 0 && complete_; --left) {
       RayRoot& r = truth.roots.emplace_back();
       for (double* x : {&r.lo, &r.hi, &r.condition, &r.distance}) *x = get<double>();
-      r.crossing = get<bool>();
+      r.crossing = get<std::uint8_t>() != 0;
       r.iso = get<int>();
     }
     for (auto left = get<std::size_t>(); left > 0 && complete_; --left) {

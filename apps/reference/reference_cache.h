@@ -20,7 +20,8 @@ struct ReferenceRay {
 ///
 /// folder  made if missing. Holds a file for each reference and set of rays, named by a hash of the
 ///         reference's identity, the bits of the rays and the format. A file that is damaged or of other rays
-///         is computed and written anew; where nothing can be written nothing is kept. Empty: no files
+///         is computed and written anew; where nothing can be written nothing is kept. Empty: no files.
+///         Nothing is ever removed
 [[nodiscard]] std::vector<RayTruth> solve_all(const RayReference& reference,
                                               std::span<const ReferenceRay> rays,
                                               const std::filesystem::path& folder = default_cache_folder());

@@ -1,13 +1,14 @@
-#include <isocast/apps/reference/formula_ray_reference.h>
+#include <isocast/apps/reference/formula_module.h>
 #include <isocast/apps/reference/scene_reference.h>
 #include <isocast/apps/reference/volume_reference.h>
+#include <isocast/base/module.h>
 
 namespace isocast::reference {
 
 std::unique_ptr<RayReference> make_reference(const SceneDescription& description, const BuiltScene& built) {
   if (const auto* formula = std::get_if<FormulaSource>(&description.object.source))
-    return std::make_unique<FormulaRayReference>(formula->expression, formula->domain, formula->time,
-                                                 built.iso);
+    return module_table<FormulaModule>("reference", "the reference of a formula")
+        .make(formula->expression, formula->domain, formula->time, built.iso);
   return std::make_unique<VolumeReference>(built.volume, built.iso);
 }
 

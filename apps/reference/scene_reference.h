@@ -8,7 +8,8 @@
 
 namespace isocast::reference {
 
-/// The reference for the scene's object, with the iso-values that it was built with.
+/// The reference for the scene's object, with the iso-values that it was built with. Opens the module
+/// `reference` for a formula; throws InputError where that is missing.
 [[nodiscard]] std::unique_ptr<RayReference> make_reference(const SceneDescription& description,
                                                            const BuiltScene& built);
 

@@ -131,9 +131,13 @@ VolumeReference::VolumeReference(std::shared_ptr<const Volume> volume, std::vect
 RayTruth VolumeReference::solve(const Double3& o, const Double3& d, double t0, double t1) const {
   require_ray(o, d, t0, t1);
   const ExactLine line(grid_from_world_, o, d);
-  const std::vector<Part> parts =
-      parts_along(cells_along(*cells_, line, iso_), line, {fraction(t0), fraction(t1)});
   RayTruth truth;
+  const std::optional<std::vector<CellCorners>> cells = cells_along(*cells_, line, iso_);
+  if (!cells) {
+    truth.doubts.push_back({t0, t1, Doubt::work});
+    return truth;
+  }
+  const std::vector<Part> parts = parts_along(*cells, line, {fraction(t0), fraction(t1)});
   const double units_per_t = length(d) / unit_;
   for (std::size_t i = 0; i < iso_.size(); ++i)
     add_roots(truth, parts, line, iso_[i], static_cast<int>(i), units_per_t);

@@ -11,7 +11,8 @@ namespace isocast::reference {
 /// The ray is taken to grid space by the stored matrix without rounding. Shares with the program how a sample
 /// is read, and nothing else.
 ///
-/// doubts  Doubt::zero, where f is iso along a part of the ray
+/// doubts  Doubt::zero, where f is iso along a part of the ray; Doubt::work for the whole of a ray that meets
+///         more than some 10^5 cells with an iso-value
 /// source  of the cubic: Parker et al.: Interactive ray tracing for isosurface rendering, Visualization 1998
 class VolumeReference final : public RayReference {
  public:

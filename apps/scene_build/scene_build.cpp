@@ -34,15 +34,25 @@ void list(BuiltScene& built, bool used, const char* name) {
   (used ? built.features : built.left_out).push_back(name);
 }
 
-// A surface made with these options, which its iso-values may change in later.
-template <class SurfaceKind, class Options>
-void add_object(BuiltScene& built, const std::shared_ptr<SurfaceKind>& surface, const Options& options) {
+// A surface made with these options, which its iso-values and its method may change in later. choose: the
+// row of the method table.
+template <class SurfaceKind, class Options, class Choose>
+void add_object(BuiltScene& built, const std::shared_ptr<SurfaceKind>& surface, const Options& options,
+                Choose choose) {
   built.iso = options.iso;
   built.proves = surface->proves();
   built.scene.objects.push_back({surface, {}});
-  built.move_surface = [surface, changed = options](const std::vector<double>& iso) mutable {
-    changed.iso = iso;
-    surface->set_options(changed);
+  const auto current = std::make_shared<Options>(options);
+  built.move_surface = [=](const std::vector<double>& iso) {
+    current->iso = iso;
+    surface->set_options(*current);
+  };
+  built.change_method = [=](const std::string& name, const std::map<std::string, std::string>& settings,
+                            const EvaluationSettings& evaluation) {
+    current->method = choose(name, settings);
+    current->double_precision = evaluation.double_precision;
+    current->isa = evaluation.isa;
+    surface->set_options(*current);
   };
 }
 
@@ -68,7 +78,7 @@ void build(BuiltScene& built, const VolumeSource& source, const ObjectDescriptio
   built.volume = volume;
   built.volume_bytes = volume->bytes();
   built.acceleration_bytes = static_cast<std::int64_t>(surface->acceleration_bytes());
-  add_object(built, surface, options);
+  add_object(built, surface, options, choose_cell_method);
 
   built.features = {"volume", fmt::format("iso:{}", options.iso.size()),
                     fmt::format("format:{}", volume->format)};
@@ -102,7 +112,7 @@ void build(BuiltScene& built, const FormulaSource& source, const ObjectDescripti
   const auto start = Clock::now();
   const auto surface = std::make_shared<ImplicitSurface>(source.expression, source.domain, options);
   built.build_ms = ms_since(start);
-  add_object(built, surface, options);
+  add_object(built, surface, options, choose_formula_method);
   built.features = {"formula", fmt::format("iso:{}", options.iso.size())};
   if (wanted.by_component) built.components = static_cast<std::size_t>(surface->component_count());
   list(built, wanted.by_component, "components");

@@ -4,6 +4,7 @@
 #include <isocast/apps/scene_build/description.h>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +29,11 @@ struct BuiltScene {
   std::shared_ptr<const Volume> volume;  // of a volume
   std::size_t components = 0;            // of a formula, where they have materials of their own
   std::function<void(const std::vector<double>& iso)> move_surface;
+  /// Goes on with another method (by name, not auto), its `--set` values and another evaluation; nothing is
+  /// rebuilt, and `method` and `proves` stay what they were. Throws InputError for what cannot be used.
+  std::function<void(const std::string& method, const std::map<std::string, std::string>& settings,
+                     const EvaluationSettings& evaluation)>
+      change_method;
 
   /// Moves the surfaces to other iso-values (the file's scaled units); nothing is rebuilt.
   void set_iso(const std::vector<double>& iso, const MaterialDescription& materials);

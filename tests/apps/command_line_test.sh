@@ -46,6 +46,15 @@ expect 0 '"transparency:4"' render tangle.nrrd --iso 0,3 --opacity 0.4,0.8 --siz
 expect 0 '"components"' render "max(x^2+y^2+z^2-1, 0.3-x^2-y^2)" --domain -1.2,1.2 --color-components --normals difference --size 64x48 -o bead.png --stats -
 expect 0 '"reflections:1"' render tangle.nrrd --iso 0 --reflectivity 0.5 --environment clear.png --size 64x48 -o mirror.png --stats -
 expect 0 '"lights:3"' render tangle.nrrd --iso 0 --light 1,0,0 --light -1,0,0 --light 0,0,1 --size 64x48 -o lights.png --stats -
+expect 0 '"verdict": "right"' probe tangle.nrrd --iso 0 --pixel 32,24 --size 64x48 --json
+expect 0 "proved hit" probe "x^2+y^2+z^2-1" --domain -2,2 --pixel 32,24 --size 64x48
+expect 0 "" render tangle.nrrd --iso 0 --size 64x48 --aov depth,normal -o one.exr
+expect 0 "" render tangle.nrrd --iso 0 --size 64x48 --aov depth,normal --method midpoint -o other.exr
+expect 0 "within the tolerance 0" compare one.exr one.exr
+expect 3 "BEYOND the tolerance 0.001" compare one.exr other.exr --tolerance 0.001 -o difference.png
+expect 3 '"within": false' compare one.exr other.exr --json
+expect 0 "" render tangle.nrrd --size 32x32 -o small.exr
+[[ -s difference.png ]] || fail "compare -o: no picture of the differences"
 
 # mistakes
 expect 2 "is no verb" paint
@@ -80,6 +89,14 @@ expect 2 "expected a direction" render tangle.nrrd --light 0,0,0 -o a.png
 expect 2 "found 9 lights, expected at most 8" render tangle.nrrd --light={1,2,3,4,5,6,7,8,9},0,0 -o a.png
 expect 2 "sky.exr: No such file" render tangle.nrrd --environment sky.exr -o a.png
 expect 2 "ends with .exr, .hdr, .png or .jpg" render tangle.nrrd --environment tangle.nrrd -o a.png
+expect 2 "expected X,Y from 0,0 (the upper left pixel) to 63,47" probe tangle.nrrd --pixel 64,0 --size 64x48
+expect 2 "found --set without --method" probe tangle.nrrd --pixel 0,0 --set iterations=2
+expect 2 "midpoint, linear, neubauer, schwarze, marmitt" probe tangle.nrrd --pixel 0,0 --method newton
+expect 2 "the same size was expected" compare one.exr small.exr
+expect 2 "is not an OpenEXR file" compare one.exr tangle.nrrd
+expect 2 "missing.exr: No such file" compare one.exr missing.exr
+expect 2 "expected a number of at least 0" compare one.exr one.exr --tolerance -1
+expect 2 "ends with .png" compare one.exr one.exr -o a.exr
 expect 2 "suite" bench everything -o bench
 expect 2 "a name that ends with .png" surfaces -o a.exr
 expect 2 "the folder nowhere does not exist" surfaces -o nowhere/a.png

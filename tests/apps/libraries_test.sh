@@ -30,7 +30,7 @@ expect_not_loaded() {
   done
 }
 
-heavy=(isocast_ OpenImageIO OpenEXR nifti openvdb embree Qt libGL)
+heavy=(isocast_ OpenImageIO OpenEXR nifti openvdb embree flint mpfr Qt libGL)
 run --help
 expect_loaded libstdc++
 expect_not_loaded "${heavy[@]}"
@@ -41,7 +41,13 @@ expect_not_loaded "${heavy[@]}"
 run render "$folder/ball.raw" --dims 16,16,16 --type f32 --iso 0 --size 16x16 -o "$folder/ball.png"
 expect_loaded isocast_image
 expect_loaded OpenImageIO
-expect_not_loaded isocast_nifti nifti embree
+expect_not_loaded isocast_nifti nifti embree flint
+run probe 'x^2+y^2+z^2-1' --pixel 8,8 --size 16x16
+expect_loaded isocast_reference
+expect_loaded flint
+expect_not_loaded OpenImageIO nifti embree
+run probe "$folder/ball.raw" --dims 16,16,16 --type f32 --iso 0 --pixel 8,8 --size 16x16
+expect_not_loaded "${heavy[@]}"
 
 ((failures == 0)) && echo "each run loaded what it needed"
 exit $((failures > 0))

@@ -124,6 +124,16 @@ TEST_CASE("touches, plateaus and ends") {
   CHECK(plateau.doubts[0].hi == 3);
 }
 
+TEST_CASE("too many cells for one ray are a doubt") {
+  std::vector<double> values(1 << 18);
+  for (std::size_t i = 0; i < values.size(); i += 2) values[i] = 2;
+  const RayTruth truth = solve_x(along_x(values, SampleType::u8), 1, 0, 1e6);
+  CHECK(truth.roots.empty());
+  REQUIRE(truth.doubts.size() == 1);
+  CHECK(truth.doubts[0].doubt == Doubt::work);
+  CHECK(truth.doubts[0].hi == 1e6);
+}
+
 TEST_CASE("cells with a corner that is not finite are none, and every type is read") {
   check_roots(solve_x(along_x({0, 2, 0, std::nan(""), 0, 2, kInfinity, 0, 2}), 1),
               {{0.5L}, {1.5L}, {4.5L}, {7.5L}});

@@ -1,0 +1,18 @@
+// The table of the module `reference`, the only part of the program that needs Arb, FLINT and MPFR.
+#pragma once
+
+#include <isocast/apps/reference/ray_reference.h>
+#include <isocast/implicit/expression/domain.h>
+#include <isocast/implicit/expression/expression.h>
+
+#include <memory>
+
+namespace isocast::reference {
+
+struct FormulaModule {
+  /// A FormulaRayReference with its default options.
+  std::unique_ptr<RayReference> (*make)(const Expression& expression, const Domain& domain, double time,
+                                        const std::vector<double>& iso);
+};
+
+}  // namespace isocast::reference
