@@ -14,8 +14,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <numbers>
-#include <numeric>
 
 namespace isocast::bench {
 namespace {
@@ -77,10 +75,6 @@ Double3 gradient(const CellChord& chord, double s) {
   return g;
 }
 
-double angle_in_degrees(const Double3& a, const Double3& b) {
-  return std::atan2(length(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi;
-}
-
 double chord_length(const CellChord& chord) {
   return std::hypot(chord.exit[0] - chord.entry[0], chord.exit[1] - chord.entry[1],
                     chord.exit[2] - chord.entry[2]);
@@ -88,7 +82,7 @@ double chord_length(const CellChord& chord) {
 
 // The columns that hold errors.
 template <class T> void judge_all(const Case& cells, const std::vector<RootPacket<T>>& roots, Row& row) {
-  std::vector<double> t_errors, normal_errors;
+  ErrorSamples errors;
   row.rays = static_cast<std::int64_t>(cells.chords.size());
   for (std::size_t n = 0; n < cells.chords.size(); ++n) {
     const Answer answer = answer_of(roots, n);
@@ -100,17 +94,10 @@ template <class T> void judge_all(const Case& cells, const std::vector<RootPacke
     if (judgement.verdict != Verdict::hit) continue;
     const CellChord& chord = cells.chords[n];
     const double truth = static_cast<double>(first_crossing(cells.truth[n])->s);
-    t_errors.push_back(judgement.error * chord_length(chord));
-    normal_errors.push_back(angle_in_degrees(gradient(chord, answer.s), gradient(chord, truth)));
+    errors.t.push_back(judgement.error * chord_length(chord));
+    errors.normal_deg.push_back(angle_in_degrees(gradient(chord, answer.s), gradient(chord, truth)));
   }
-  if (!t_errors.empty())
-    row.t_error_mean =
-        std::accumulate(t_errors.begin(), t_errors.end(), 0.0) / static_cast<double>(t_errors.size());
-  row.t_error_p50 = quantile(t_errors, 0.5);
-  row.t_error_p99 = quantile(t_errors, 0.99);
-  row.t_error_max = quantile(t_errors, 1);
-  row.normal_error_deg_p50 = quantile(normal_errors, 0.5);
-  row.normal_error_deg_max = quantile(normal_errors, 1);
+  errors.summarize(row);
 }
 
 // Everything of one case in one precision; errors once per setting, then a candidate per instruction set to
@@ -161,11 +148,7 @@ std::vector<Row> run_cells(const CellSuiteOptions& options) {
     add_precision<double>(cells, options, case_rows, candidates);
 
     const std::vector<Timing> timings = time_interleaved(candidates, repetitions, Clock::thread);
-    for (std::size_t i = 0; i < timings.size(); ++i) {
-      case_rows[i].seconds = timings[i].seconds;
-      case_rows[i].seconds_mad = timings[i].mad;
-      case_rows[i].mrays_per_s = 1e-6 * static_cast<double>(case_rows[i].rays) / timings[i].seconds;
-    }
+    for (std::size_t i = 0; i < timings.size(); ++i) set_timing(case_rows[i], timings[i]);
     rows.insert(rows.end(), case_rows.begin(), case_rows.end());
     progress.add();
   }

@@ -94,11 +94,8 @@ std::vector<Row> run_evaluate(const EvaluateSuiteOptions& options) {
       add_ways(surface, tape, doubles, isa, repeats, candidates);
       const std::vector<Timing> timings = time_interleaved(candidates.runs, repetitions, Clock::thread);
       for (std::size_t i = 0; i < timings.size(); ++i) {
-        Row& row = candidates.rows[i];
-        row.seconds = timings[i].seconds;
-        row.seconds_mad = timings[i].mad;
-        row.mrays_per_s = 1e-6 * static_cast<double>(row.rays) / timings[i].seconds;
-        rows.push_back(row);
+        set_timing(candidates.rows[i], timings[i]);
+        rows.push_back(candidates.rows[i]);
       }
       progress.add();
     }

@@ -8,8 +8,8 @@
 namespace isocast::bench {
 
 double pareto_error(const Row& row) {
-  const auto wrong = static_cast<double>(row.false_misses + row.false_hits + row.wrong_root);
-  return row.t_error_mean + (row.rays > 0 ? wrong / static_cast<double>(row.rays) : 0);
+  const double share = static_cast<double>(row.failures()) / static_cast<double>(row.rays);
+  return row.t_error_mean + (row.rays > 0 ? share : 0);
 }
 
 void mark_pareto(std::vector<Row>& rows) {

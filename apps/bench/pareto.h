@@ -8,7 +8,7 @@
 namespace isocast::bench {
 
 /// One number for a row: the mean error, and one whole voxel (or domain width) for every ray that was
-/// answered wrongly.
+/// answered wrongly or not at all.
 [[nodiscard]] double pareto_error(const Row& row);
 
 /// Sets `pareto` where no row of the same suite, case, instruction set and precision has less of one of

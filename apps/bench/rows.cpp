@@ -9,6 +9,7 @@
 #include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <system_error>
 #include <thread>
 
@@ -39,6 +40,7 @@ template <class Visit> void visit_columns(const Row& row, Visit&& visit) {
   visit("normal_error_deg_p50", row.normal_error_deg_p50);
   visit("normal_error_deg_max", row.normal_error_deg_max);
   visit("pareto", int(row.pareto));
+  visit("undecided_reference", row.undecided_reference);
 }
 
 std::string csv_cell(const std::string& text) {
@@ -65,6 +67,15 @@ double quantile(std::vector<double> values, double q) {
       static_cast<std::size_t>(std::max(0.0, std::ceil(q * static_cast<double>(values.size())) - 1));
   std::nth_element(values.begin(), values.begin() + rank, values.end());
   return values[rank];
+}
+
+void ErrorSamples::summarize(Row& row) const {
+  if (!t.empty()) row.t_error_mean = std::accumulate(t.begin(), t.end(), 0.0) / static_cast<double>(t.size());
+  row.t_error_p50 = quantile(t, 0.5);
+  row.t_error_p99 = quantile(t, 0.99);
+  row.t_error_max = quantile(t, 1);
+  row.normal_error_deg_p50 = quantile(normal_deg, 0.5);
+  row.normal_error_deg_max = quantile(normal_deg, 1);
 }
 
 Provenance provenance() {
@@ -110,9 +121,10 @@ void prepare_folder(const std::filesystem::path& folder) {
   OutputFile probe(folder / "results.csv");
 }
 
-void write_results(const std::filesystem::path& folder, const std::vector<Row>& rows) {
+void write_results(const std::filesystem::path& folder, const std::vector<Row>& rows,
+                   const Provenance& provenance) {
   write_text_file(folder / "results.csv", csv_of(rows));
-  write_text_file(folder / "results.json", json_of(rows, provenance()));
+  write_text_file(folder / "results.json", json_of(rows, provenance));
 }
 
 }  // namespace isocast::bench

@@ -1,7 +1,7 @@
-#include <isocast/apps/bench/rows.h>
 #include <isocast/apps/bench/timing.h>
 #include <isocast/base/interrupt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -16,19 +16,27 @@ double seconds_now(Clock clock) {
 
 }  // namespace
 
-std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& candidates, int repetitions,
-                                     Clock clock) {
-  for (const auto& candidate : candidates) candidate();
-
+std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& candidates,
+                                     const Repetitions& repetitions, Clock clock,
+                                     const std::function<void(std::size_t)>& prepare) {
   std::vector<std::vector<double>> seconds(candidates.size());
-  for (int i = 0; i < repetitions; ++i) {
-    throw_if_interrupted();
+  const auto measure_all = [&] {
     for (std::size_t c = 0; c < candidates.size(); ++c) {
+      throw_if_interrupted();
+      if (prepare) prepare(c);
       const double start = seconds_now(clock);
       candidates[c]();
       seconds[c].push_back(seconds_now(clock) - start);
     }
-  }
+  };
+  const double start = seconds_now(Clock::wall);
+  measure_all();
+  const double round = std::max(seconds_now(Clock::wall) - start, 1e-9);
+  for (std::vector<double>& samples : seconds) samples.clear();
+
+  const double fitting = std::min<double>(repetitions.seconds / round, repetitions.most);
+  const int count = std::max(repetitions.least, static_cast<int>(fitting));
+  for (int i = 0; i < count; ++i) measure_all();
 
   std::vector<Timing> timings;
   for (std::vector<double>& samples : seconds) {
@@ -37,6 +45,12 @@ std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& c
     timings.push_back({median, quantile(samples, 0.5)});
   }
   return timings;
+}
+
+void set_timing(Row& row, const Timing& timing) {
+  row.seconds = timing.seconds;
+  row.seconds_mad = timing.mad;
+  row.mrays_per_s = timing.seconds > 0 ? 1e-6 * static_cast<double>(row.rays) / timing.seconds : 0;
 }
 
 }  // namespace isocast::bench

@@ -17,16 +17,6 @@ std::optional<Double3> parse_vector(const std::string& text, const char* option)
   return Double3{v[0], v[1], v[2]};
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
 double parse_time(const RenderWords& words) {
   return words.time.empty() ? 0 : parse_number(words.time, "--time");
 }
@@ -77,6 +67,16 @@ std::vector<Double3> parse_lights(const std::vector<std::string>& words) {
 }
 
 }  // namespace
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
 
 std::array<int, 2> parse_size(const std::string& text) {
   const std::vector<std::string> parts = split(text, 'x');

@@ -22,6 +22,9 @@ struct RenderWords {
   ReadOptions read;
 };
 
+/// The parts between separators; at least one.
+[[nodiscard]] std::vector<std::string> split(const std::string& text, char separator);
+
 /// All of these throw InputError for words that cannot be used.
 ///
 /// "WIDTHxHEIGHT" in pixels

@@ -93,7 +93,7 @@ TEST_CASE("result files: the columns of the interface, quoted where needed, with
       std::filesystem::temp_directory_path() / ("isocast_bench_test_" + std::to_string(getpid()));
   std::vector<Row> rows = {row_of("a \"b\", c", 0.5, 0.25)};
   prepare_folder(folder / "deep");
-  write_results(folder / "deep", rows);
+  write_results(folder / "deep", rows, provenance());
   std::ifstream csv(folder / "deep" / "results.csv");
   std::string header, line;
   std::getline(csv, header);
@@ -101,8 +101,9 @@ TEST_CASE("result files: the columns of the interface, quoted where needed, with
   CHECK(header ==
         "suite,case,method,isa,precision,setting,proves,rays,seconds,seconds_mad,mrays_per_s,false_misses,"
         "false_hits,wrong_root,undecided,"
-        "t_error_mean,t_error_p50,t_error_p99,t_error_max,normal_error_deg_p50,normal_error_deg_max,pareto");
-  CHECK(line == "cells,\"a \"\"b\"\", c\",,,,,,100,0.5,0,0,0,0,0,0,0.25,0,0,0,0,0,0");
+        "t_error_mean,t_error_p50,t_error_p99,t_error_max,normal_error_deg_p50,normal_error_deg_max,pareto,"
+        "undecided_reference");
+  CHECK(line == "cells,\"a \"\"b\"\", c\",,,,,,100,0.5,0,0,0,0,0,0,0.25,0,0,0,0,0,0,0");
   std::ifstream file(folder / "deep" / "results.json");
   const auto json = nlohmann::json::parse(file);
   CHECK(json.at("rows").size() == 1);

@@ -56,6 +56,16 @@ expect 3 '"within": false' compare one.exr other.exr --json
 expect 0 "" render tangle.nrrd --size 32x32 -o small.exr
 [[ -s difference.png ]] || fail "compare -o: no picture of the differences"
 
+# bench: a formula and a volume from end to end; the report refers to nothing outside itself
+for input in "x^2+y^2+z^2-0.5" tangle.nrrd; do
+  expect 0 "is right at all rays" bench "$input" --iso 0 --quick --size 20x16 --isa auto --cache none -o bench
+  for file in results.csv results.json report.html; do [[ -s bench/$file ]] || fail "bench $input: no $file"; done
+  [[ $(head -1 bench/results.csv) == suite,case,method,*,pareto,undecided_reference ]] || fail "bench $input: other columns"
+  [[ $(grep -c ',320,' bench/results.csv) -ge 16 ]] || fail "bench $input: too few rows of 20 x 16 rays"
+  grep -qE '(src|href)="(http|/)|<script|<link|@import|url\(' bench/report.html && fail "bench $input: the report refers to something outside"
+  grep -q 'data:image/png;base64,' bench/report.html || fail "bench $input: a report without pictures"
+done
+
 # mistakes
 expect 2 "is no verb" paint
 expect 2 "there is no such file" render missing.raw -o a.png
@@ -97,7 +107,12 @@ expect 2 "is not an OpenEXR file" compare one.exr tangle.nrrd
 expect 2 "missing.exr: No such file" compare one.exr missing.exr
 expect 2 "expected a number of at least 0" compare one.exr one.exr --tolerance -1
 expect 2 "ends with .png" compare one.exr one.exr -o a.exr
-expect 2 "suite" bench everything -o bench
+expect 2 "is no suite" bench everything -o bench
+expect 2 "found --iso with a suite, expected it with an INPUT" bench volumes --iso 1 -o bench
+expect 2 "interval, affine" bench @tangle --method marmitt -o bench --cache none
+expect 2 "at most 1048576" bench @tangle --size 2048x2048 -o bench
+expect 2 "found --set without --method" bench @tangle --set eps-rel=0.1 -o bench
+expect 2 "found --precision or --method with the suite cells" bench cells --method marmitt -o bench
 expect 2 "a name that ends with .png" surfaces -o a.exr
 expect 2 "the folder nowhere does not exist" surfaces -o nowhere/a.png
 expect 2 "interval, affine" surfaces -o a.png --method marmitt

@@ -1,0 +1,15 @@
+// The truth of every pixel of a picture.
+#pragma once
+
+#include <isocast/apps/bench/picture_truth.h>
+
+#include <filesystem>
+
+namespace isocast::bench {
+
+/// Without normals. On all cores; answers may come from the cache (reference_cache.h). Stops at Ctrl-C.
+[[nodiscard]] PictureTruth solve_picture(const SceneDescription& scene, const BuiltScene& built,
+                                         const std::vector<RayStream>& rays,
+                                         const std::filesystem::path& cache);
+
+}  // namespace isocast::bench

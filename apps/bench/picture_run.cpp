@@ -1,0 +1,127 @@
+#include <isocast/apps/bench/pareto.h>
+#include <isocast/apps/bench/picture_reference.h>
+#include <isocast/apps/bench/picture_run.h>
+#include <isocast/base/interrupt.h>
+#include <isocast/base/mapped_file.h>
+
+#include <algorithm>
+
+namespace isocast::bench {
+namespace {
+
+// What a candidate is timed with.
+struct Way {
+  const MethodSetting* setting;
+  EvaluationSettings evaluation;
+};
+
+// Answers nothing: what is left of the time is the harness.
+class NoSurface final : public Surface {
+ public:
+  [[nodiscard]] Box bounds() const override { return {}; }
+  void first_hit(const RayStream&, HitStream&, TraceCounts&) const override {}
+  void next_hit(const RayStream&, HitStream&, TraceCounts&) const override {}
+  void dress(const RayStream&, const HitStream&, const DressWishes&, DressedHits&) const override {}
+};
+
+double harness_seconds(const std::vector<RayStream>& rays, std::vector<HitStream>& hits) {
+  const NoSurface surface;
+  return time_interleaved({[&] { trace(surface, rays, hits); }}, 101, Clock::thread)[0].seconds;
+}
+
+double longest_edge(const Box& box) { return std::ranges::max(box.hi - box.lo); }
+
+// A case with its surface, rays and truth, ready for any method.
+class Bench {
+ public:
+  Bench(const PictureCase& picture, const PictureOptions& options)
+      : options_(options), built_(build_scene(automatic(picture.scene), {})) {
+    result_.picture = picture;
+    rays_ = primary_rays(picture, surface().bounds());
+    hits_.resize(rays_.size());
+    const bool volume = std::holds_alternative<VolumeSource>(picture.scene.object.source);
+    result_.unit_name = volume ? "voxels" : "domain widths";
+    result_.iso = built_.iso;
+    result_.truth = solve_picture(picture.scene, built_, rays_, options.cache);
+    use(built_.method, {}, {widest_isa(), true});
+    trace(surface(), rays_, hits_);
+    add_normals(result_.truth, surface(), rays_, hits_);
+    result_.right = picture_of_truth(result_.truth, rays_, picture.width);
+  }
+
+  PictureResult run() {
+    const std::vector<MethodSetting> settings =
+        method_settings(result_.picture.scene.object, options_.settings, longest_edge(surface().bounds()));
+    for (const MethodSetting& setting : settings)
+      for (const std::string& precision : options_.precisions)
+        if (!setting.swept || precision == options_.precisions.front()) add_rows(setting, precision);
+    time_rows();
+    mark_pareto(result_.rows);
+    result_.harness_seconds = harness_seconds(rays_, hits_);
+    check_mapped_files();
+    return std::move(result_);
+  }
+
+ private:
+  static SceneDescription automatic(SceneDescription scene) {
+    scene.object.method = "auto";
+    scene.object.settings.clear();
+    return scene;
+  }
+  [[nodiscard]] const Surface& surface() const { return *built_.scene.objects.front().surface; }
+  void use(const std::string& method, const std::map<std::string, std::string>& set,
+           const EvaluationSettings& evaluation) {
+    throw_if_interrupted();
+    built_.change_method(method, set, evaluation);
+    clear(hits_);
+  }
+
+  // Errors of a setting, and a row to be timed for each instruction set.
+  void add_rows(const MethodSetting& setting, const std::string& precision) {
+    const bool precise = precision == "double";
+    use(setting.method, setting.set, {widest_isa(), precise});
+    trace(surface(), rays_, hits_);
+    std::vector<PixelAnswer> answers = judge_picture(result_.truth, surface(), rays_, hits_);
+    Row row;
+    row.suite = result_.picture.suite;
+    row.case_name = result_.picture.name;
+    row.method = setting.method;
+    row.precision = precision;
+    row.setting = setting.text;
+    row.proves = setting.proves;
+    summarize(answers, row);
+    for (const Isa isa : options_.isas) {
+      if (setting.swept && isa != options_.isas.back()) continue;
+      row.isa = name_of(isa);
+      result_.rows.push_back(row);
+      ways_.push_back({&setting, {isa, precise}});
+    }
+    if (!setting.swept) result_.answers.push_back({setting.method, precision, std::move(answers)});
+  }
+
+  void time_rows() {
+    const std::vector<std::function<void()>> candidates(ways_.size(),
+                                                        [this] { trace(surface(), rays_, hits_); });
+    const auto prepare = [this](std::size_t i) {
+      use(ways_[i].setting->method, ways_[i].setting->set, ways_[i].evaluation);
+    };
+    const std::vector<Timing> timings =
+        time_interleaved(candidates, options_.repetitions, Clock::thread, prepare);
+    for (std::size_t i = 0; i < timings.size(); ++i) set_timing(result_.rows[i], timings[i]);
+  }
+
+  const PictureOptions& options_;
+  BuiltScene built_;
+  std::vector<RayStream> rays_;
+  std::vector<HitStream> hits_;
+  std::vector<Way> ways_;
+  PictureResult result_;
+};
+
+}  // namespace
+
+PictureResult run_picture(const PictureCase& picture, const PictureOptions& options) {
+  return Bench(picture, options).run();
+}
+
+}  // namespace isocast::bench
