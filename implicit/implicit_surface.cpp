@@ -3,7 +3,7 @@
 #include <isocast/implicit/expression/simplify.h>
 #include <isocast/implicit/gradient_scale.h>
 #include <isocast/implicit/implicit_surface.h>
-#include <isocast/implicit/ray_segments.h>
+#include <isocast/implicit/ray_beams.h>
 #include <isocast/implicit/register_memory.h>
 #include <isocast/math/interval.h>
 
@@ -65,6 +65,10 @@ void ImplicitSurface::set_options(const ImplicitSurfaceOptions& options) {
   double_query_ = make_query<double>();
 }
 
+template <class T> const FormulaSolver<T>& ImplicitSurface::solver() const {
+  return formula_kernels(options_.isa, options_.method.nearest).solver<T>(options_.method.method);
+}
+
 // A ray on its way through the box.
 struct ImplicitSurface::Traced {
   ClippedRay ray;
@@ -90,8 +94,29 @@ void ImplicitSurface::trace(const FormulaQuery<T>& query, bool next, const RaySt
     one.sides = next ? sides_behind(hits, i) : rays.start_sides[i];
     if (next && has_hit) hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = std::numeric_limits<double>::infinity();
   }
+  if (options_.method.beams && !next && rays.kind == RayKind::primary)
+    narrow(query, rays.size, traced, counts);
   for (int part = 1; part <= pruning_.parts; ++part)
     trace_part(query, double(part) / pruning_.parts, rays, traced, hits, counts);
+}
+
+// Cuts the rays of a tile to where they may hit; those that cannot hit any more are proved misses.
+template <class T>
+void ImplicitSurface::narrow(const FormulaQuery<T>& query, int size, Traced* traced,
+                             TraceCounts& counts) const {
+  ClippedRay rays[kStreamSize];
+  for (int i = 0; i < size; ++i) {
+    if (traced[i].carried) return;
+    rays[i] = traced[i].ray;
+  }
+  const FormulaSolver<T>& solver = this->solver<T>();
+  counts.evaluations +=
+      narrow_rays(query, solver, rays, size, registers_of(tape_.registers * solver.register_bytes));
+  for (int i = 0; i < size; ++i) {
+    traced[i].ray = rays[i];
+    traced[i].begin = rays[i].near;
+    traced[i].active = traced[i].active && !rays[i].misses();
+  }
 }
 
 // The part of the rays that ends at `end`, a share of their way through the box.
@@ -121,8 +146,7 @@ void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const
   for (int first = 0; first < rays.size; first += kPacketSize)
     segments.together[first / kPacketSize] = whole.options.packets && march_together(segments, first);
 
-  const FormulaSolver<T>& solver =
-      formula_kernels(options_.isa, options_.method.nearest).solver<T>(options_.method.method);
+  const FormulaSolver<T>& solver = this->solver<T>();
   FormulaQuery<T> query = whole;
   if (pruning_.prunes) {
     const bool sides = !options_.method.marches() && options_.method.options.delta == 0;

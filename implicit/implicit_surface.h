@@ -57,6 +57,9 @@ class ImplicitSurface final : public Surface {
   template <class T> [[nodiscard]] FormulaQuery<T> make_query() const;
   [[nodiscard]] Double3 difference_normal(const Double3& p, double distance) const;
   struct Traced;
+  template <class T> [[nodiscard]] const FormulaSolver<T>& solver() const;
+  template <class T>
+  void narrow(const FormulaQuery<T>& query, int size, Traced* traced, TraceCounts& counts) const;
   template <class T>
   void trace_part(const FormulaQuery<T>& whole, double end, const RayStream& rays, Traced* traced,
                   HitStream& hits, TraceCounts& counts) const;

@@ -32,6 +32,14 @@ constexpr MethodOption kPrune = {
     true,
     "",
     "1: where min, max or if is decided the formula is run without what it does not need"};
+constexpr MethodOption kBeams = {
+    "beams",
+    1,
+    0,
+    1,
+    true,
+    "",
+    "1: rays of the camera are first cut, tile by tile, to where f may reach an iso-value"};
 constexpr MethodOption kTrim = {
     "trim", 1, 0, 1, true, "", "1: what a form proves empty of a part is left out before it is divided"};
 
@@ -70,12 +78,12 @@ constexpr MethodOption kOffset = {"offset",
                                   "",
                                   "added to every iso-value: fattens a surface that is only touched"};
 
-constexpr MethodOption kInterval[] = {kEps,        kEpsRel,      kDelta, kBisection, kShadow,
-                                      kNormalStep, kNormalGrows, kPrune, kRounding};
-constexpr MethodOption kAffine[] = {kEps,    kEpsRel,     kDelta,       kBisection, kTrim,
-                                    kShadow, kNormalStep, kNormalGrows, kPrune,     kRounding};
-constexpr MethodOption kDerivative[] = {kEps,        kEpsRel,      kDelta, kShadow,
-                                        kNormalStep, kNormalGrows, kPrune, kRounding};
+constexpr MethodOption kInterval[] = {kEps,         kEpsRel, kDelta, kBisection, kShadow,  kNormalStep,
+                                      kNormalGrows, kBeams,  kBeams, kPrune,     kRounding};
+constexpr MethodOption kAffine[] = {kEps,        kEpsRel,      kDelta, kBisection, kTrim,    kShadow,
+                                    kNormalStep, kNormalGrows, kBeams, kPrune,     kRounding};
+constexpr MethodOption kDerivative[] = {kEps,         kEpsRel, kDelta, kShadow, kNormalStep,
+                                        kNormalGrows, kBeams,  kBeams, kPrune,  kRounding};
 constexpr MethodOption kMarching[] = {
     kStep,
     tau("tau1", "where |f - iso| is at most this, half a step; 0: the median gradient times the base step"),
@@ -128,6 +136,7 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   FormulaOptions& options = choice.options;
   choice.prune = value("prune", 1) != 0;
   choice.nearest = value("rounding", 0) == 1;
+  choice.beams = value("beams", 0) != 0;
   options.delta = value("delta", 0);
   options.trim = value("trim", 1) != 0;
   options.packets = value("bisection", 0) == 1;

@@ -19,6 +19,7 @@ namespace isocast {
 /// options   step and tau may be 0 as well
 /// offset    added to every iso-value
 /// nearest   inclusions whose bounds are the nearest numbers
+/// beams     rays of a tile are first cut together to where f may be an iso-value
 /// prune     where min, max or a choice is decided the tape is run without what it does not need
 /// shadow_eps_rel  eps_rel of shadow rays, if larger
 /// normal_step     stencil of difference normals in eps; `normal_grows`: in proportion to the distance along
@@ -28,7 +29,7 @@ struct FormulaMethodChoice {
   FormulaMethod method = FormulaMethod::affine;
   FormulaOptions options;
   double eps = 0, eps_rel = 0x1p-11, offset = 0, shadow_eps_rel = 0, normal_step = 1;
-  bool normal_grows = false, prune = true, nearest = false;
+  bool normal_grows = false, prune = true, nearest = false, beams = true;
   /// Samples f along the rays instead of including it.
   [[nodiscard]] bool marches() const { return method >= FormulaMethod::amp_sign; }
   [[nodiscard]] bool proves() const { return !marches() && !nearest; }

@@ -1,6 +1,7 @@
 // The table of formula solvers, one per instruction set.
 #pragma once
 
+#include <isocast/implicit/solve/beam.h>
 #include <isocast/implicit/solve/segment.h>
 
 namespace isocast {
@@ -16,10 +17,13 @@ struct alignas(64) GradientStream {
   int size;
 };
 
-/// A method's function. `registers` has room for Tape::registers times `register_bytes`, aligned to 64.
+/// A method's functions; those that march have nothing to narrow beams by. `registers` has room for
+/// Tape::registers times `register_bytes`, aligned to 64.
 template <class T> struct FormulaSolver {
   using Solve = void(const FormulaQuery<T>&, const SegmentStream<T>&, SegmentRoots<T>&, void* registers);
+  using Narrow = void(const FormulaQuery<T>&, BeamStream<T>&, void* registers);
   Solve* solve;
+  Narrow* narrow;
   std::size_t register_bytes;
 };
 template <class T> struct FormulaSolvers { FormulaSolver<T> of[kFormulaMethodCount]; };

@@ -2,6 +2,7 @@
 #include <isocast/implicit/solve/bisection.h>
 #include <isocast/implicit/solve/gradients.h>
 #include <isocast/implicit/solve/marching_points.h>
+#include <isocast/implicit/solve/narrow_beams.h>
 #include <isocast/implicit/solve/polish.h>
 #include <isocast/math/pack.h>
 
@@ -13,17 +14,20 @@ namespace {
 
 constexpr std::size_t larger(std::size_t a, std::size_t b) { return a > b ? a : b; }
 
-template <class Method, class T> constexpr FormulaSolver<T> solver() {
+template <class Method, class T>
+constexpr FormulaSolver<T> solver(typename FormulaSolver<T>::Narrow* narrow = nullptr) {
   constexpr std::size_t polish_bytes = HitLanes<Native<T>>::kPacks * sizeof(Gradient<Native<T>>);
   return {[](const FormulaQuery<T>& query, const SegmentStream<T>& stream, SegmentRoots<T>& roots,
              void* registers) {
             Method(query, stream, roots, registers).run();
             polish<Native<T>>(query, stream, roots, registers);
           },
-          larger(Method::kRegisterBytes, polish_bytes)};
+          narrow, larger(Method::kRegisterBytes, polish_bytes)};
 }
-template <class T> constexpr auto interval = solver<Bisection<Interval<Native<T>>, Native<T>>, T>();
-template <class T> constexpr auto affine = solver<Bisection<AffineForm<Native<T>, 1>, Native<T>>, T>();
+template <class F, class T>
+constexpr auto bisection = solver<Bisection<F, Native<T>>, T>(narrow_beams<F, Native<T>>);
+template <class T> constexpr auto interval = bisection<Interval<Native<T>>, T>;
+template <class T> constexpr auto affine = bisection<AffineForm<Native<T>, 1>, T>;
 // what marches includes nothing: there is one build of it
 template <bool kTaylor, class T> constexpr FormulaSolver<T> marching() {
   if constexpr (kOutward) return solver<MarchingPoints<kTaylor, Native<T>>, T>();
