@@ -75,6 +75,7 @@ struct ImplicitSurface::Traced {
   double begin;  // nothing is left to be found before it
   std::uint32_t sides;
   bool active, carried, doubt;  // doubt: something before begin was not told
+  KnownCrossing known;
 };
 
 template <class T>
@@ -94,28 +95,32 @@ void ImplicitSurface::trace(const FormulaQuery<T>& query, bool next, const RaySt
     one.sides = next ? sides_behind(hits, i) : rays.start_sides[i];
     if (next && has_hit) hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = std::numeric_limits<double>::infinity();
   }
-  if (options_.method.beams && !next && rays.kind == RayKind::primary)
-    narrow(query, rays.size, traced, counts);
+  // where pruning cuts rays to pieces, the whole tape is too long for beams
+  if (options_.method.beams && !next && rays.kind == RayKind::primary && pruning_.parts == 1)
+    narrow(query, rays, traced, counts);
   for (int part = 1; part <= pruning_.parts; ++part)
     trace_part(query, double(part) / pruning_.parts, rays, traced, hits, counts);
 }
 
 // Cuts the rays of a tile to where they may hit; those that cannot hit any more are proved misses.
 template <class T>
-void ImplicitSurface::narrow(const FormulaQuery<T>& query, int size, Traced* traced,
+void ImplicitSurface::narrow(const FormulaQuery<T>& query, const RayStream& rays, Traced* traced,
                              TraceCounts& counts) const {
-  ClippedRay rays[kStreamSize];
-  for (int i = 0; i < size; ++i) {
-    if (traced[i].carried) return;
-    rays[i] = traced[i].ray;
-  }
   const FormulaSolver<T>& solver = this->solver<T>();
-  counts.evaluations +=
-      narrow_rays(query, solver, rays, size, registers_of(tape_.registers * solver.register_bytes));
-  for (int i = 0; i < size; ++i) {
-    traced[i].ray = rays[i];
-    traced[i].begin = rays[i].near;
-    traced[i].active = traced[i].active && !rays[i].misses();
+  if (!solver.narrow) return;
+  ClippedRay clipped[kStreamSize];
+  KnownCrossing known[kStreamSize];
+  for (int i = 0; i < rays.size; ++i) {
+    if (traced[i].carried) return;
+    clipped[i] = traced[i].ray;
+  }
+  counts.evaluations += narrow_rays(query, solver, rays, eps_, clipped, known,
+                                    registers_of(tape_.registers * solver.register_bytes));
+  for (int i = 0; i < rays.size; ++i) {
+    traced[i].ray = clipped[i];
+    traced[i].begin = clipped[i].near;
+    traced[i].known = known[i];
+    traced[i].active = traced[i].active && !clipped[i].misses();
   }
 }
 
@@ -131,13 +136,15 @@ void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const
     const Traced& one = traced[i];
     ClippedRay& piece = pieces[i] = one.ray;
     piece.near = one.begin;
-    if (end < 1) piece.far = one.ray.near + end * (one.ray.far - one.ray.near);
+    if (end < 1 && !one.known.crosses) piece.far = one.ray.near + end * (one.ray.far - one.ray.near);
     segments.active[i] = one.active && !piece.misses();
     if (!segments.active[i]) continue;
     any_active = true;
     segments.begin[i] = T(0);
     segments.carried[i] = one.carried;
-    segments.sides[i] = one.sides;
+    segments.sides[i] = one.known.crosses ? one.known.sides : one.sides;
+    segments.given[i] = one.known.crosses;
+    segments.given_iso[i] = one.known.iso;
     set_segment(segments, i, piece, rays.kind == RayKind::shadow ? shadow_eps_ : eps_);
     if (options_.method.nearest)
       for (auto& slack : segments.slack) slack[i] = 0;

@@ -59,7 +59,7 @@ class ImplicitSurface final : public Surface {
   struct Traced;
   template <class T> [[nodiscard]] const FormulaSolver<T>& solver() const;
   template <class T>
-  void narrow(const FormulaQuery<T>& query, int size, Traced* traced, TraceCounts& counts) const;
+  void narrow(const FormulaQuery<T>& query, const RayStream& rays, Traced* traced, TraceCounts& counts) const;
   template <class T>
   void trace_part(const FormulaQuery<T>& whole, double end, const RayStream& rays, Traced* traced,
                   HitStream& hits, TraceCounts& counts) const;

@@ -69,12 +69,23 @@ template <class F, Real R> class Bisection {
     for (int l = 0; l < rays && next_ + l < stream_.size; ++l) {
       const int i = next_ + l;
       if (!stream_.active[i] || stream_.together[i / kPacketSize] != together_) continue;
+      roots_.proved[i] = true;
+      roots_.hit[i] = stream_.given[i];
+      if (stream_.given[i]) {
+        take_given(i);
+        continue;
+      }
       rays_.start(stream_, i, slot + l, isos_);
-      roots_.hit[i] = false;
-      roots_.proved[i] = started = true;
+      started = true;
     }
     next_ += rays;
     return started;
+  }
+  ISO_HD void take_given(int i) {
+    roots_.s[i] = T(0.5), roots_.s_lo[i] = T(0), roots_.s_hi[i] = T(1);
+    roots_.iso[i] = stream_.given_iso[i];
+    roots_.sides[i] = stream_.sides[i];
+    roots_.evaluations[i] = 0;
   }
   // Puts rays into free slots: singly, or whole packets.
   ISO_HD void refill() {

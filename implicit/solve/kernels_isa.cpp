@@ -14,23 +14,33 @@ namespace {
 
 constexpr std::size_t larger(std::size_t a, std::size_t b) { return a > b ? a : b; }
 
-template <class Method, class T>
-constexpr FormulaSolver<T> solver(typename FormulaSolver<T>::Narrow* narrow = nullptr) {
-  constexpr std::size_t polish_bytes = HitLanes<Native<T>>::kPacks * sizeof(Gradient<Native<T>>);
-  return {[](const FormulaQuery<T>& query, const SegmentStream<T>& stream, SegmentRoots<T>& roots,
-             void* registers) {
-            Method(query, stream, roots, registers).run();
-            polish<Native<T>>(query, stream, roots, registers);
-          },
-          narrow, larger(Method::kRegisterBytes, polish_bytes)};
+// BeamForm: what beams are narrowed by, void for none
+template <class Method, class BeamForm, class T> constexpr FormulaSolver<T> solver() {
+  using R = Native<T>;
+  FormulaSolver<T> solver = {[](const FormulaQuery<T>& query, const SegmentStream<T>& stream,
+                                SegmentRoots<T>& roots, void* registers) {
+                               Method(query, stream, roots, registers).run();
+                               polish<R>(query, stream, roots, registers);
+                             },
+                             nullptr,
+                             larger(Method::kRegisterBytes, HitLanes<R>::kPacks * sizeof(Gradient<R>))};
+  if constexpr (!__is_same(BeamForm, void)) {
+    solver.narrow = narrow_beams<BeamForm, R>;
+    solver.register_bytes = larger(solver.register_bytes, Slots<R>::kPacks * sizeof(BeamForm));
+  }
+  return solver;
 }
-template <class F, class T>
-constexpr auto bisection = solver<Bisection<F, Native<T>>, T>(narrow_beams<F, Native<T>>);
-template <class T> constexpr auto interval = bisection<Interval<Native<T>>, T>;
-template <class T> constexpr auto affine = bisection<AffineForm<Native<T>, 1>, T>;
+// beams are for what proves
+template <class F, class BeamForm, class T> constexpr FormulaSolver<T> bisection() {
+  using Method = Bisection<F, Native<T>>;
+  if constexpr (kOutward) return solver<Method, BeamForm, T>();
+  else return solver<Method, void, T>();
+}
+template <class T> constexpr auto interval = bisection<Interval<Native<T>>, Interval<Native<T>>, T>();
+template <class T> constexpr auto affine = bisection<AffineForm<Native<T>, 1>, AffineForm<Native<T>, 3>, T>();
 // what marches includes nothing: there is one build of it
 template <bool kTaylor, class T> constexpr FormulaSolver<T> marching() {
-  if constexpr (kOutward) return solver<MarchingPoints<kTaylor, Native<T>>, T>();
+  if constexpr (kOutward) return solver<MarchingPoints<kTaylor, Native<T>>, void, T>();
   else return {};
 }
 // the order of FormulaMethod; mitchell and interval_newton are interval with other options

@@ -15,13 +15,17 @@ inline constexpr int kMostIsos = 16;
 /// smallest  parts of this length, in s, are not divided without need
 /// active    a segment is here
 /// carried   `sides` is known at `begin`, where f is not evaluated: bit i tells whether f < iso i there
+/// given     no root lies before [0, 1], and there one crossing, of iso-value `given_iso`, from `sides`: all
+/// is
+///           proved already
 /// together  a packet's rays are divided at the same points of one axis: s = k_offset + k_scale k, 0 <= k <=
 /// 1
 template <class T> struct alignas(64) SegmentStream {
   T e[3][kStreamSize], d[3][kStreamSize], slack[3][kStreamSize];
   T begin[kStreamSize], smallest[kStreamSize], k_offset[kStreamSize], k_scale[kStreamSize];
   std::uint32_t sides[kStreamSize];
-  bool active[kStreamSize], carried[kStreamSize];
+  std::uint8_t given_iso[kStreamSize];
+  bool active[kStreamSize], carried[kStreamSize], given[kStreamSize];
   bool together[kStreamSize / kPacketSize];
   int size;
 };

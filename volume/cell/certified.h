@@ -60,6 +60,9 @@ ISO_HD inline Mask<R> has_none(const BernsteinCubic<R>& p, R begin, R end, R err
   return proved;
 }
 
+/// Half a bracket is shorter than this fraction of the chord.
+inline constexpr float kWidest = 0x1p-8f;
+
 /// marmitt's answer (stable, adaptive), `proved` where there is no root in [begin, 1], or none before s_lo
 /// and exactly one between s_lo and s_hi, of f as it is: nothing was rounded, and the ends of the chord may
 /// lie up to `slack` elsewhere. The bracket is as wide as the proof needs, less than 2^-7 of the chord.
@@ -77,15 +80,15 @@ template <Real R> ISO_HD inline Root<R> certified(const Cell<R>& cell, const Cel
   if (!any(open)) return {R(0), R(0), R(0), Mask<R>(false), Mask<R>(false), Mask<R>(false), empty};
 
   Root<R> root = first_root(p, cell, options);
-  Mask<R> wide = root.hit & open;
   R lo = root.s_lo, hi = root.s_hi, width = max(hi - lo, R(kTolerance<T>));
+  Mask<R> wide = root.hit & open & (width < R(T(kWidest)));
   for (; any(wide); width = R(4) * width) {
     const R from = max(cell.begin, root.s - width), to = min(R(1), root.s + width);
     const Mask<R> found = wide & has_one_root(part_of(p, from, to), error);
     lo = select(found, from, lo);
     hi = select(found, to, hi);
     root.proved = root.proved | found;
-    wide = wide & !found & (width < R(T(0x1p-10)));
+    wide = wide & !found & (R(4) * width < R(T(kWidest)));
   }
   const R end = select(root.hit, lo, R(1));
   const Mask<R> missed = !root.hit;
