@@ -73,10 +73,22 @@ inline bool fetch_cell(const VolumeQuery& query, const Grid& grid, const Lane<Gr
     packet.entry[a][l] = entry[a];
     packet.exit[a][l] = exit[a];
   }
-  packet.slack[l] = query.proves ? chord_slack<T>(lane) : T(0);
+  if (query.proves) {
+    packet.slack[l] = chord_slack<T>(lane);
+    packet.error[l] = T(query.iso_error[iso_index] * 1.0001);
+  }
   packet.begin[l] = T(iso_index == lane.iso_of_hit ? lane.begin_of_iso : lane.begin);
   packet.carry[l] = lane.carried ? (lane.sides >> iso_index & 1 ? T(-0.0) : T(0)) : T(__builtin_nan(""));
   return finite == T(0);
+}
+
+/// Whether the lane's cell exists, though its corners minus iso may be too large for T.
+template <class Grid> inline bool has_finite_corners(const Grid& grid, const Lane<Grid>& lane) {
+  typename Grid::Sample raw[8];
+  grid.load_corners(lane.walk.cell(), lane.place, raw);
+  double finite = 0;
+  for (const auto& sample : raw) finite += double(number(sample)) * 0.0;
+  return finite == 0;
 }
 
 /// f at the entry of the lane's cell, as the intersectors see it.
@@ -118,7 +130,11 @@ inline Nearest<T> solve_cells(const VolumeQuery& query, const Grid& grid, const 
     packet.active = 0;
     for (std::uint32_t rest = alive; rest; rest &= rest - 1) {
       const int l = __builtin_ctz(rest);
-      if (!(lanes[l].active >> i & 1) || !fetch_cell(query, grid, lanes[l], i, packet, l)) continue;
+      if (!(lanes[l].active >> i & 1)) continue;
+      if (!fetch_cell(query, grid, lanes[l], i, packet, l)) {
+        if (query.proves && has_finite_corners(grid, lanes[l])) nearest.unproved |= 1u << l;
+        continue;
+      }
       packet.active |= 1u << l;
       ++cost[l];
       ++counts.solves;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <isocast/apps/bench/cell_chords.h>
 #include <isocast/apps/bench/cell_families.h>
+#include <isocast/apps/bench/cell_numbers.h>
 #include <isocast/apps/bench/random.h>
 #include <isocast/base/error.h>
 
@@ -12,45 +14,6 @@ namespace isocast::bench {
 namespace {
 
 using reference::CellChord;
-
-// Chords.
-
-void point_on_face(Random& random, int face, double (&p)[3]) {
-  for (double& x : p) x = random.uniform();
-  p[face / 2] = face % 2;
-}
-
-void random_chord(Random& random, CellChord& chord) {
-  const int from = random.below(6), to = (from + 1 + random.below(5)) % 6;
-  point_on_face(random, from, chord.entry);
-  point_on_face(random, to, chord.exit);
-}
-
-// From a corner to the opposite one; `from` is the corner's index.
-void diagonal_chord(int from, CellChord& chord) {
-  for (int i = 0; i < 3; ++i) {
-    chord.entry[i] = from >> i & 1;
-    chord.exit[i] = 1 - chord.entry[i];
-  }
-}
-
-// Nearly parallel to an axis, or across an edge at a tiny distance from it.
-void thin_chord(Random& random, CellChord& chord) {
-  const double tiny = std::pow(10, random.uniform(-8, -1));
-  const int axis = random.below(3), side = random.below(2);
-  point_on_face(random, 2 * axis + side, chord.entry);
-  std::copy(chord.entry, chord.entry + 3, chord.exit);
-  const int other = (axis + 1) % 3;
-  if (random.below(2)) {
-    chord.exit[axis] = 1 - side;
-    chord.exit[other] = std::clamp(chord.exit[other] + random.sign() * tiny, 0.0, 1.0);
-  } else {
-    const int edge = random.below(2);
-    chord.entry[other] = edge ? 1 - tiny : tiny;
-    chord.exit[other] = edge;
-    chord.exit[axis] = side ? 1 - tiny : tiny;
-  }
-}
 
 // Corner values.
 
@@ -202,6 +165,13 @@ constexpr CellFamily kFamilies[] = {
     {"mc-3-face", "marching cubes: three corners of a face", marching_cubes<0x07>},
     {"mc-4-face", "marching cubes: the four corners of a face", marching_cubes<0x0f>},
     {"mc-4-cube", "marching cubes: four corners, no two neighbours", marching_cubes<0x69>},
+    {"plateau", "corners below the iso-value, at it and above, four or more at it", plateau},
+    {"checkerboard", "signs that alternate, of any size", checkerboard},
+    {"denormal", "corner values of a few of the smallest floats or doubles", denormal},
+    {"any-scale", "uniform corners times 1e-30 to 1e30", scaled},
+    {"steps", "small whole numbers, as in a smooth volume of bytes", steps},
+    {"axis-aligned", "chords along an axis, many of them in a face or an edge", axis_aligned},
+    {"in-face", "chords in a face of the cell, from edge to edge", in_face},
 };
 
 }  // namespace

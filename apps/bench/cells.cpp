@@ -42,6 +42,7 @@ std::vector<Setting> settings() {
   add("linear", "", "");
   add("schwarze", "stable", "1");
   add("marmitt", "adaptive", "1");
+  add("certified", "", "");
   for (const char* method : {"neubauer", "marmitt"})
     for (const char* iterations : {"1", "2", "3", "5", "10"}) add(method, "iterations", iterations);
   return all;
@@ -80,14 +81,17 @@ double chord_length(const CellChord& chord) {
                     chord.exit[2] - chord.entry[2]);
 }
 
-// The columns that hold errors.
-template <class T> void judge_all(const Case& cells, const std::vector<RootPacket<T>>& roots, Row& row) {
+// The columns that hold errors. What a method that `proves` does not prove is undecided and nothing else.
+template <class T>
+void judge_all(const Case& cells, const std::vector<RootPacket<T>>& roots, bool proves, Row& row) {
   ErrorSamples errors;
   row.rays = static_cast<std::int64_t>(cells.chords.size());
   for (std::size_t n = 0; n < cells.chords.size(); ++n) {
     const Answer answer = answer_of(roots, n);
+    const bool open = proves && !answer.proved;
+    row.undecided += answer.undecided || open;
+    if (open) continue;
     const Judgement judgement = judge(cells.truth[n], answer.hit, answer.s);
-    row.undecided += answer.undecided;
     row.false_misses += judgement.verdict == Verdict::false_miss;
     row.false_hits += judgement.verdict == Verdict::false_hit;
     row.wrong_root += judgement.verdict == Verdict::wrong_root;
@@ -115,8 +119,8 @@ void add_precision(const Case& cells, const CellSuiteOptions& options, std::vect
     row.method = setting.method;
     row.precision = sizeof(T) == sizeof(float) ? "float" : "double";
     row.setting = setting.text;
-    row.proves = "nothing";
-    judge_all(cells, solve(widest_isa(), method, cell_options, *packets), row);
+    row.proves = find_method(volume_methods(), setting.method).proves;
+    judge_all(cells, solve(widest_isa(), method, cell_options, *packets), setting.choice.proves(), row);
     for (const Isa isa : options.isas) {
       row.isa = name_of(isa);
       rows.push_back(row);

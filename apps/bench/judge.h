@@ -51,14 +51,14 @@ template <class T>
 
 /// One lane's answer.
 struct Answer {
-  bool hit, undecided, negative_behind;
+  bool hit, undecided, negative_behind, proved;
   double s, s_lo, s_hi;
 };
 template <class T> [[nodiscard]] Answer answer_of(const std::vector<RootPacket<T>>& roots, std::size_t n) {
   const RootPacket<T>& packet = roots[n / kPacketSize];
   const std::size_t lane = n % kPacketSize;
   const auto bit = [&](std::uint32_t bits) { return (bits >> lane & 1) != 0; };
-  return {bit(packet.hit), bit(packet.undecided), bit(packet.sign),
+  return {bit(packet.hit), bit(packet.undecided), bit(packet.sign), bit(packet.proved),
           packet.s[lane],  packet.s_lo[lane],     packet.s_hi[lane]};
 }
 

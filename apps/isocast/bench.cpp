@@ -4,11 +4,13 @@
 #include <isocast/apps/bench/evaluate.h>
 #include <isocast/apps/bench/findings.h>
 #include <isocast/apps/bench/picture_report.h>
+#include <isocast/apps/bench/stability_report.h>
 #include <isocast/apps/bench/suites.h>
 #include <isocast/apps/isocast/bench_words.h>
 #include <isocast/apps/isocast/scene_options.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/base/error.h>
+#include <isocast/base/output_file.h>
 #include <isocast/base/progress.h>
 
 #include <CLI/CLI.hpp>
@@ -67,11 +69,26 @@ void bench_evaluate(const BenchWords& words) {
   fmt::print("{}", evaluate_summary(rows));
 }
 
+// Ends with code 1 where something is not as expected, when all is written.
+void bench_stability(const BenchWords& words) {
+  StressOptions options;
+  options.isa = isas_of(words).back();
+  options.cache = picture_options(words).cache;
+  if (words.quick) options.size = 10, options.cells = 512;
+  const std::vector<StressResult> results = run_stability(options, words.folder);
+  const Provenance from = provenance();
+  write_results(words.folder, rows_of(results), from);
+  write_text_file(std::filesystem::path(words.folder) / "report.html", stability_html(results, from));
+  fmt::print("{}", stability_summary(results));
+  if (!std::ranges::all_of(results, &StressResult::as_expected)) throw CLI::RuntimeError(1);
+}
+
 void run(const BenchWords& words) {
   check(words);
   prepare_folder(words.folder);
   if (words.scene.input == "cells") bench_cells(words);
   else if (words.scene.input == "evaluate") bench_evaluate(words);
+  else if (words.scene.input == "stability") bench_stability(words);
   else bench_pictures(words);
 }
 
@@ -79,6 +96,7 @@ std::string input_help() {
   std::string help =
       "A suite, or an INPUT of render (a formula, @id, a volume file); without one, all suites of pictures."
       "\ncells: every cell intersector on every family of cells"
+      "\nstability: what can break ray tracing, with what is expected of every method"
       "\nevaluate: tapes against compiled formulas, without a report";
   for (const PictureSuite& suite : picture_suites())
     help += fmt::format("\n{}: {}", suite.name, suite.meaning);

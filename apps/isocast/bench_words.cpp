@@ -15,7 +15,7 @@ namespace {
 
 using namespace bench;
 
-constexpr std::string_view kRowSuites[] = {"cells", "evaluate"};
+constexpr std::string_view kRowSuites[] = {"cells", "evaluate", "stability"};
 
 bool is_row_suite(const std::string& word) {
   return std::ranges::find(kRowSuites, word) != std::end(kRowSuites);

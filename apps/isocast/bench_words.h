@@ -24,8 +24,8 @@ struct BenchWords {
   BenchWords() { scene.isa = scene.size = ""; }
 };
 
-/// Throws InputError for options of an INPUT that were given with a suite, and options that `cells` and
-/// `evaluate` do not have.
+/// Throws InputError for options of an INPUT that were given with a suite, and options that `cells`,
+/// `evaluate` and `stability` do not have.
 void check(const BenchWords& words);
 
 /// All of these throw InputError for words that cannot be used.

@@ -76,12 +76,13 @@ std::string_view verdict_of(const reference::RayTruth& truth, Certificate certif
 
 std::string contradiction_of(const reference::RayTruth& truth, Certificate certificate, double t_lo,
                              double t_hi) {
-  if (certificate == Certificate::proved_miss && !truth.roots.empty())
-    return fmt::format("a miss is proved, but there is a root at {:.17g}", truth.roots.front().lo);
+  const auto first = std::ranges::find(truth.roots, false, &reference::RayRoot::from_above);
+  const bool any = first != truth.roots.end();
+  if (certificate == Certificate::proved_miss && any)
+    return fmt::format("a miss is proved, but there is a root at {:.17g}", first->lo);
   if (certificate != Certificate::proved_hit) return {};
-  if (!truth.roots.empty() && truth.roots.front().hi < t_lo)
-    return fmt::format("nothing before {:.17g} is proved, but there is a root at {:.17g}", t_lo,
-                       truth.roots.front().lo);
+  if (any && first->hi < t_lo)
+    return fmt::format("nothing before {:.17g} is proved, but there is a root at {:.17g}", t_lo, first->lo);
   const auto overlaps = [&](const auto& range) { return range.lo <= t_hi && range.hi >= t_lo; };
   if (std::ranges::any_of(truth.roots, overlaps) || std::ranges::any_of(truth.doubts, overlaps)) return {};
   return fmt::format("a root between {:.17g} and {:.17g} is proved, but there is none", t_lo, t_hi);

@@ -6,8 +6,8 @@ namespace isocast::reference {
 namespace {
 
 std::unique_ptr<RayReference> make(const Expression& expression, const Domain& domain, double time,
-                                   const std::vector<double>& iso) {
-  return std::make_unique<FormulaRayReference>(expression, domain, time, iso);
+                                   const std::vector<double>& iso, const ReferenceOptions& options) {
+  return std::make_unique<FormulaRayReference>(expression, domain, time, iso, options);
 }
 
 constexpr FormulaModule kTable = {make};

@@ -10,9 +10,9 @@
 namespace isocast::reference {
 
 struct FormulaModule {
-  /// A FormulaRayReference with its default options.
+  /// A FormulaRayReference.
   std::unique_ptr<RayReference> (*make)(const Expression& expression, const Domain& domain, double time,
-                                        const std::vector<double>& iso);
+                                        const std::vector<double>& iso, const ReferenceOptions& options);
 };
 
 }  // namespace isocast::reference

@@ -13,6 +13,8 @@ namespace isocast::reference {
 /// on the other, else it only touches. Where nothing is defined beside it, f counts as iso there.
 ///
 /// iso        number of the iso-value
+/// from_above of volumes: f touches the iso-value without being below it on either side. As zero counts as
+///            positive there, their methods have no root in it
 /// condition  how far the root moves, in unit(), for a change of f by its own scale along the ray: scale over
 ///            |df/dt|; rounded, and +inf at a multiple root and at a touch. The scale is the largest
 ///            |f - iso| among the corners of the root's cell, or of 64 points of the ray in the domain
@@ -22,6 +24,7 @@ struct RayRoot {
   bool crossing;
   double condition, distance;
   int iso = 0;
+  bool from_above = false;
 };
 
 /// roots   in increasing order

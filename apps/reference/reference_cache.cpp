@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // To be counted up whenever a reference gives other answers, or the layout below changes.
-constexpr const char* kFormat = "isocast reference 1";
+constexpr const char* kFormat = "isocast reference 2";
 
 std::string key_of(const RayReference& reference, std::span<const ReferenceRay> rays) {
   Hash hash;
@@ -38,6 +38,7 @@ class Writer {
     for (const RayRoot& r : truth.roots) {
       for (const double x : {r.lo, r.hi, r.condition, r.distance}) put(x);
       put(std::uint8_t{r.crossing});
+      put(std::uint8_t{r.from_above});
       put(r.iso);
     }
     put(truth.doubts.size());
@@ -76,6 +77,7 @@ class Reader {
       RayRoot& r = truth.roots.emplace_back();
       for (double* x : {&r.lo, &r.hi, &r.condition, &r.distance}) *x = get<double>();
       r.crossing = get<std::uint8_t>() != 0;
+      r.from_above = get<std::uint8_t>() != 0;
       r.iso = get<int>();
     }
     for (auto left = get<std::size_t>(); left > 0 && complete_; --left) {

@@ -5,10 +5,11 @@
 
 namespace isocast::reference {
 
-std::unique_ptr<RayReference> make_reference(const SceneDescription& description, const BuiltScene& built) {
+std::unique_ptr<RayReference> make_reference(const SceneDescription& description, const BuiltScene& built,
+                                             const ReferenceOptions& options) {
   if (const auto* formula = std::get_if<FormulaSource>(&description.object.source))
     return module_table<FormulaModule>("reference", "the reference of a formula")
-        .make(formula->expression, formula->domain, formula->time, built.iso);
+        .make(formula->expression, formula->domain, formula->time, built.iso, options);
   return std::make_unique<VolumeReference>(built.volume, built.iso);
 }
 

@@ -103,8 +103,8 @@ void add_roots(RayTruth& truth, const std::vector<Part>& parts, const ExactLine&
   }
   for (const PartRoot& found : roots) {
     const bool crossing = found.root.negative_before != found.root.negative_behind;
-    truth.roots.push_back(
-        {found.lo, found.hi, crossing, crossing ? found.condition : kInfinity, kInfinity, number});
+    truth.roots.push_back({found.lo, found.hi, crossing, crossing ? found.condition : kInfinity, kInfinity,
+                           number, !crossing && !found.root.negative_before});
   }
   truth.doubts.insert(truth.doubts.end(), zeros.begin(), zeros.end());
 }

@@ -39,7 +39,8 @@ void compare(const VolumeSurface& surface, const RayReference& reference, const 
   surface.first_hit(rays, hits, counts);
   for (int i = 0; i < rays.size; ++i) {
     const Double3 o = {rays.ox[i], rays.oy[i], rays.oz[i]}, d = {rays.dx[i], rays.dy[i], rays.dz[i]};
-    const RayTruth truth = reference.solve(o, d, 0, 1e9);
+    RayTruth truth = reference.solve(o, d, 0, 1e9);
+    std::erase_if(truth.roots, [](const RayRoot& root) { return root.from_above; });
     INFO(std::hexfloat << "o " << o[0] << " " << o[1] << " " << o[2] << " d " << d[0] << " " << d[1] << " "
                        << d[2]);
     const bool hit = hits.t[i] < std::numeric_limits<double>::infinity();

@@ -3,6 +3,7 @@
 #include <isocast/apps/bench/cell_families.h>
 #include <isocast/apps/bench/judge.h>
 #include <isocast/math/real.h>
+#include <isocast/math/rounding.h>
 #include <isocast/volume/cell/cell.h>
 #include <test_size.h>
 
@@ -20,7 +21,7 @@ namespace {
 
 // The documented bound: an answer is right when f at entry, exit and the extrema is farther from zero than
 // this many unit roundoffs of max |corner|, and f at the root found is nearer than that, or the root within
-// two tolerances.
+// two tolerances. An underflow rounds by the smallest number, so a unit is no less than that.
 constexpr double kBound = 8;
 
 double largest_corner(const CellChord& chord) {
@@ -80,10 +81,10 @@ TEMPLATE_TEST_CASE("marmitt finds the first root wherever rounding leaves no dou
         const Answer answer = answer_of(roots, n);
         const Judgement judgement = judge(references[n], answer.hit, answer.s);
         const bool right = judgement.verdict == Verdict::hit || judgement.verdict == Verdict::miss;
-        const double unit = u * largest_corner(cells[n]);
+        const double unit = std::max<double>(u * largest_corner(cells[n]), kSmallest<TestType>);
 
         // the right answer, or a value within rounding of zero that decides it
-        const double margin_ulps = unit > 0 ? margin(references[n]) / unit : 0;
+        const double margin_ulps = margin(references[n]) / unit;
         total.add(margin_ulps, !right);
         if (!right) worst_margin = std::max(worst_margin, margin_ulps);
 

@@ -2,6 +2,7 @@
 #include <isocast/apps/bench/cell_families.h>
 #include <isocast/apps/bench/random.h>
 #include <isocast/math/real.h>
+#include <isocast/math/rounding.h>
 #include <isocast/volume/cell/cell.h>
 #include <isocast/volume/cell/marmitt.h>
 #include <volume/cell/diagonal_cell.h>
@@ -100,7 +101,7 @@ TEST_CASE("after isolation the bracket holds one root, the first") {
       double margin = INFINITY;
       for (int i = 0; i < truth.critical_count; ++i)
         margin = std::min(margin, std::abs(truth.critical[i].value));
-      const double unit = kUnitRoundoff<double> * largest_corner(cell);
+      const double unit = std::max(kUnitRoundoff<double> * largest_corner(cell), kSmallest<double>);
       if (margin <= 8 * unit) continue;
       const auto isolated = isolate_first_root(cubic_along(cell), cell, -1.0, true);
       const auto first = first_crossing(truth);
