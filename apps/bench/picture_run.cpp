@@ -51,7 +51,9 @@ class Bench {
 
   PictureResult run() {
     const std::vector<MethodSetting> settings =
-        method_settings(result_.picture.scene.object, options_.settings, longest_edge(surface().bounds()));
+        options_.chosen.empty() ? method_settings(result_.picture.scene.object, options_.settings,
+                                                  longest_edge(surface().bounds()))
+                                : options_.chosen;
     for (const MethodSetting& setting : settings)
       for (const std::string& precision : options_.precisions)
         if (!setting.swept || precision == options_.precisions.front()) add_rows(setting, precision);

@@ -12,12 +12,14 @@
 
 namespace isocast::bench {
 
+/// chosen      what is run; empty: what `settings` asks for
 /// isas        which are timed; the last is that of the sweeps. Errors are the same on all
 /// precisions  "float", "double"; the first is that of the sweeps
 /// repetitions of every timed run, in turns
 /// cache       the folder in which the reference's answers are kept; empty: nowhere
 struct PictureOptions {
   SettingWishes settings;
+  std::vector<MethodSetting> chosen = {};
   std::vector<Isa> isas = available_isas();
   std::vector<std::string> precisions = {"float", "double"};
   Repetitions repetitions = {3, 15, 12.0};

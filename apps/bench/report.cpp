@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <isocast/apps/bench/condition_plot.h>
 #include <isocast/apps/bench/findings.h>
+#include <isocast/apps/bench/papers.h>
 #include <isocast/apps/bench/plot.h>
 #include <isocast/apps/bench/report.h>
 #include <isocast/apps/bench/report_style.h>
@@ -40,16 +41,26 @@ void add_head(Markup& html, const Report& report) {
   html.open("style").append(kReportStyle).close().close();
 }
 
+std::string contents_of(const Report& report) {
+  const auto count = [](std::size_t n, const char* what) {
+    return n == 0 ? std::string() : fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+  };
+  const std::string cases = count(report.cases.size(), "case"), papers = count(report.papers.size(), "paper");
+  return cases + (cases.empty() || papers.empty() ? "" : ", ") + papers;
+}
+
 void add_findings(Markup& html, const Report& report) {
   const Provenance& from = report.provenance;
   html.open("header").element("h1", {}, report.title);
   html.element("p", {{"class", "soft"}},
-               fmt::format("{} case{} · {} ({} cores) · {} · commit {} · {}", report.cases.size(),
-                           report.cases.size() == 1 ? "" : "s", from.processor, from.cores, from.compiler,
-                           from.commit, from.date));
-  html.open("ol", {{"class", "findings"}});
-  for (const std::string& sentence : findings(rows_of(report))) html.element("li", {}, sentence);
-  html.close().close();
+               fmt::format("{} · {} ({} cores) · {} · commit {} · {}", contents_of(report), from.processor,
+                           from.cores, from.compiler, from.commit, from.date));
+  if (!report.cases.empty()) {
+    html.open("ol", {{"class", "findings"}});
+    for (const std::string& sentence : findings(rows_of(report))) html.element("li", {}, sentence);
+    html.close();
+  }
+  html.close();
 }
 
 // A method with its setting, and how long it takes.
@@ -185,8 +196,9 @@ std::string html_of(const Report& report) {
   html.open("body");
   add_findings(html, report);
   html.open("main");
-  add_overview(html, report);
+  if (!report.cases.empty()) add_overview(html, report);
   for (const ReportCase& one : report.cases) add_case(html, one);
+  add_papers(html, report.papers);
   html.close();
   add_reading(html, report);
   return html.finish();

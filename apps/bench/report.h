@@ -1,7 +1,9 @@
-// report.html: what was run on what, the findings, a plot, a table and pictures per case, in one file.
+// report.html: what was run on what, the findings, a plot, a table and pictures per case, and papers, in one
+// file.
 #pragma once
 
 #include <isocast/apps/bench/case_finding.h>
+#include <isocast/apps/bench/paper.h>
 #include <isocast/apps/bench/rows.h>
 
 #include <filesystem>
@@ -23,12 +25,14 @@ struct ReportCase {
   std::vector<ReportPicture> pictures;
 };
 
-/// notes  sentences about how it was measured
+/// papers  with their tables and claims, behind the cases
+/// notes   sentences about how it was measured
 struct Report {
   std::string title;
   Provenance provenance;
   std::vector<ReportCase> cases;
   std::vector<std::string> notes;
+  std::vector<Paper> papers = {};
 };
 
 /// A case without pictures for each name in some rows, in their order.

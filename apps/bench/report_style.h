@@ -11,6 +11,7 @@ main, header { max-width: 1280px; margin: 0 auto; padding: 0 24px }
 header { padding-top: 36px }
 h1 { font-size: 30px; font-weight: 650; margin: 0 0 4px; letter-spacing: -.01em }
 h2 { font-size: 22px; font-weight: 620; margin: 44px 0 10px }
+h3 { font-size: 17px; font-weight: 620; margin: 26px 0 6px }
 p { margin: 6px 0 }
 a { color: var(--accent); text-decoration: none }
 a:hover { text-decoration: underline }
@@ -43,6 +44,9 @@ td.bad { color: #c4123f; font-weight: 600 }
 td img { width: 56px; height: 56px; object-fit: cover; image-rendering: pixelated; border-radius: 6px; display: block }
 .dot { display: inline-block; width: 10px; height: 10px; border-radius: 5px; margin-right: 7px }
 .tag { display: inline-block; border-radius: 9px; padding: 0 9px; font-size: 13px; background: #e6f1f3; color: #0b5b73 }
+.tag.good { background: #e0f2e3; color: #1c6b34; white-space: nowrap }
+.tag.refuted { background: #fbe3e8; color: #b0123b }
+.tag.none { background: #eeece6; color: #5d6070; white-space: nowrap }
 .tag.double { background: #f6e7d4; color: #8a4b00 }
 summary { cursor: pointer; color: var(--accent); margin: 10px 0 }
 .ramp { display: inline-block; width: 180px; height: 12px; border-radius: 3px; vertical-align: -1px; margin: 0 8px }

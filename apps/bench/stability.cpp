@@ -35,7 +35,7 @@ std::vector<Row> rows_of(const std::vector<StressResult>& results) {
 std::string stability_summary(const std::vector<StressResult>& results) {
   std::string text;
   for (const StressResult& result : results)
-    for (const Outcome& outcome : result.outcomes)
+    for (const StressOutcome& outcome : result.outcomes)
       if (!outcome.broken.empty())
         text += fmt::format("{}: NOT AS EXPECTED: {} (found {})\n", result.name, outcome.expected,
                             outcome.broken);

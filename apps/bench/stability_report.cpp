@@ -71,7 +71,7 @@ void add_case(Markup& html, const StressResult& result) {
   html.element("h2", {{"id", result.name}}, result.name);
   html.element("p", {{"class", "soft"}}, result.stresses);
   html.open("div", {{"class", "card"}});
-  for (const Outcome& outcome : result.outcomes) {
+  for (const StressOutcome& outcome : result.outcomes) {
     html.open("p").text(outcome.expected + " ");
     add_tag(html, outcome.broken.empty());
     if (!outcome.broken.empty()) html.text(" found " + outcome.broken);

@@ -42,7 +42,7 @@ bool concerns(const Expectation& e, const StressAnswer& answer) {
          (e.precision.empty() || e.precision == answer.row.precision);
 }
 
-void add_break(Outcome& outcome, const std::string& what) {
+void add_break(StressOutcome& outcome, const std::string& what) {
   outcome.broken += (outcome.broken.empty() ? "" : "; ") + what;
 }
 
@@ -59,12 +59,12 @@ std::int64_t StressAnswer::count(Counted counted) const {
 }
 
 bool StressResult::as_expected() const {
-  return std::ranges::all_of(outcomes, [](const Outcome& outcome) { return outcome.broken.empty(); });
+  return std::ranges::all_of(outcomes, [](const StressOutcome& outcome) { return outcome.broken.empty(); });
 }
 
-std::vector<Outcome> outcomes_of(const std::vector<Expectation>& expected,
-                                 const std::vector<StressAnswer>& answers) {
-  std::vector<Outcome> outcomes = {{"no proof is false", {}}, {"no answer is malformed", {}}};
+std::vector<StressOutcome> outcomes_of(const std::vector<Expectation>& expected,
+                                       const std::vector<StressAnswer>& answers) {
+  std::vector<StressOutcome> outcomes = {{"no proof is false", {}}, {"no answer is malformed", {}}};
   for (const StressAnswer& answer : answers) {
     const StressCounts& counts = answer.counts;
     if (counts.false_proofs > 0)
@@ -73,7 +73,7 @@ std::vector<Outcome> outcomes_of(const std::vector<Expectation>& expected,
       add_break(outcomes[1], fmt::format("{}: {}", name_of(answer), counts.malformed));
   }
   for (const Expectation& e : expected) {
-    Outcome& outcome = outcomes.emplace_back(Outcome{sentence_of(e), {}});
+    StressOutcome& outcome = outcomes.emplace_back(StressOutcome{sentence_of(e), {}});
     for (const StressAnswer& answer : answers) {
       const double share =
           100 * static_cast<double>(answer.count(e.counted)) / static_cast<double>(answer.row.rays);

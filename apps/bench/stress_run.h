@@ -35,14 +35,14 @@ struct StressAnswer {
 };
 
 /// One expectation as a sentence, and what broke it: nothing where it holds.
-struct Outcome {
+struct StressOutcome {
   std::string expected, broken;
 };
 
 struct StressResult {
   std::string name, stresses;
   std::vector<StressAnswer> answers;
-  std::vector<Outcome> outcomes;
+  std::vector<StressOutcome> outcomes;
   [[nodiscard]] bool as_expected() const;
 };
 
@@ -51,7 +51,7 @@ struct StressResult {
 [[nodiscard]] StressResult run_stress(const StressFamily& family, const StressOptions& options);
 
 /// Of every expectation, the two that every case has in front.
-[[nodiscard]] std::vector<Outcome> outcomes_of(const std::vector<Expectation>& expected,
-                                               const std::vector<StressAnswer>& answers);
+[[nodiscard]] std::vector<StressOutcome> outcomes_of(const std::vector<Expectation>& expected,
+                                                     const std::vector<StressAnswer>& answers);
 
 }  // namespace isocast::bench

@@ -15,7 +15,8 @@ namespace {
 
 using namespace bench;
 
-constexpr std::string_view kRowSuites[] = {"cells", "evaluate", "stability"};
+// The suites that always run all methods; `all` holds pictures, too.
+constexpr std::string_view kRowSuites[] = {"cells", "evaluate", "stability", "papers", "all"};
 
 bool is_row_suite(const std::string& word) {
   return std::ranges::find(kRowSuites, word) != std::end(kRowSuites);
@@ -58,6 +59,12 @@ void check(const BenchWords& words) {
   const RenderWords& s = words.scene;
   if (!s.set.empty() && s.method == "auto")
     throw InputError("found --set without --method, expected the methods that have the option");
+  if (!words.data.empty() && s.input != "papers" && s.input != "all")
+    throw InputError("found --data, expected it with the suites papers and all only");
+  if (!words.data.empty() && !std::filesystem::is_directory(words.data))
+    throw InputError(fmt::format("--data: found no folder '{}'", words.data));
+  if (s.input == "papers" && !s.isa.empty())
+    throw InputError("found --isa with the suite papers, which times what its tables need");
   if (!is_suite(s.input)) return;
   const std::pair<const char*, const std::string&> of_inputs[] = {{"--iso", s.iso},
                                                                   {"--domain", s.domain},
@@ -81,6 +88,15 @@ std::vector<Isa> isas_of(const BenchWords& words) {
   return words.scene.isa.empty() ? available_isas() : std::vector{isa_from_name(words.scene.isa)};
 }
 
+bool has_pictures(const BenchWords& words) {
+  return words.scene.input == "all" || !is_row_suite(words.scene.input);
+}
+
+std::filesystem::path cache_of(const BenchWords& words) {
+  if (words.cache == "none") return {};
+  return words.cache.empty() ? reference::default_cache_folder() : std::filesystem::path(words.cache);
+}
+
 PictureOptions picture_options(const BenchWords& words) {
   PictureOptions options;
   options.isas = isas_of(words);
@@ -89,9 +105,7 @@ PictureOptions picture_options(const BenchWords& words) {
   options.settings.quick = words.quick;
   if (!words.precision.empty()) options.precisions = {words.precision};
   options.repetitions = words.quick ? Repetitions(3, 9, 2.0) : options.repetitions;
-  if (words.cache != "none")
-    options.cache =
-        words.cache.empty() ? reference::default_cache_folder() : std::filesystem::path(words.cache);
+  options.cache = cache_of(words);
   return options;
 }
 
@@ -99,7 +113,7 @@ std::vector<PictureCase> picture_cases(const BenchWords& words) {
   if (!is_suite(words.scene.input)) return {input_case(words)};
   std::vector<PictureCase> cases;
   for (const PictureSuite& suite : picture_suites())
-    if (words.scene.input.empty() || words.scene.input == suite.name)
+    if (words.scene.input.empty() || words.scene.input == "all" || words.scene.input == suite.name)
       for (PictureCase& picture : suite.cases({words.quick, words.folder}))
         cases.push_back(std::move(picture));
   return cases;

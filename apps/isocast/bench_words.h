@@ -15,18 +15,24 @@ namespace isocast::verbs {
 
 /// The command line as it was typed. Of `scene`, `input` may be a suite, or nothing for all suites of
 /// pictures; `method` may be several, NAME[,NAME...], or auto for all; `isa` may be empty for all, and `size`
-/// for 128x128. `cache` is a folder or none.
+/// for 128x128. `cache` is a folder or none, `data` a folder or empty.
 struct BenchWords {
   RenderWords scene;
-  std::string folder, precision, cache;
+  std::string folder, precision, cache, data;
   bool quick = false;
 
   BenchWords() { scene.isa = scene.size = ""; }
 };
 
-/// Throws InputError for options of an INPUT that were given with a suite, and options that `cells`,
-/// `evaluate` and `stability` do not have.
+/// Throws InputError for options of an INPUT that were given with a suite, and options that a suite
+/// does not have.
 void check(const BenchWords& words);
+
+/// Whether what was named is a suite of pictures, all of them, or an INPUT.
+[[nodiscard]] bool has_pictures(const BenchWords& words);
+
+/// Empty for none.
+[[nodiscard]] std::filesystem::path cache_of(const BenchWords& words);
 
 /// All of these throw InputError for words that cannot be used.
 [[nodiscard]] std::vector<Isa> isas_of(const BenchWords& words);

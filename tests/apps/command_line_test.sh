@@ -113,6 +113,10 @@ expect 2 "interval, affine" bench @tangle --method marmitt -o bench --cache none
 expect 2 "at most 1048576" bench @tangle --size 2048x2048 -o bench
 expect 2 "found --set without --method" bench @tangle --set eps-rel=0.1 -o bench
 expect 2 "found --precision or --method with the suite cells" bench cells --method marmitt -o bench
+expect 2 "found --precision or --method with the suite papers" bench papers --precision float -o bench
+expect 2 "found --data, expected it with the suites papers and all only" bench volumes --data . -o bench
+expect 2 "found --isa with the suite papers" bench papers --isa scalar -o bench
+expect 2 "found no folder 'nowhere'" bench papers --data nowhere -o bench
 expect 2 "a name that ends with .png" surfaces -o a.exr
 expect 2 "the folder nowhere does not exist" surfaces -o nowhere/a.png
 expect 2 "interval, affine" surfaces -o a.png --method marmitt
