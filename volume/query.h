@@ -17,7 +17,6 @@ inline constexpr int kMaxIsos = 16;
 /// samples          the cells lie between these
 /// grid_from_world  rows {A | b}: world to grid space
 /// iso, key         iso-values in stored units, and their thresholds (sample.h), in any order
-/// iso_error        of methods that prove: how far iso is from the value that was asked for
 /// active           blocks of the walk's coarsest level outside hold no iso-value
 /// cells            the intersectors of the instruction set that was chosen
 /// proves           so does the method
@@ -29,7 +28,7 @@ struct VolumeQuery {
   bool sparse;
   SampleBox samples;
   double grid_from_world[3][4];
-  double iso[kMaxIsos], key[kMaxIsos], iso_error[kMaxIsos];
+  double iso[kMaxIsos], key[kMaxIsos];
   std::int32_t iso_count;
   BlockBox active;
   const CellKernels* cells;

@@ -61,7 +61,9 @@ inline bool fetch_cell(const VolumeQuery& query, const Grid& grid, const Lane<Gr
   grid.load_corners(lane.walk.cell(), lane.place, raw);
   T finite = 0;
   for (int k = 0; k < 8; ++k) {
-    packet.f[k][l] = corner_value<T>(raw[k], query.iso[iso_index]);
+    // what proves rounds the difference alone
+    packet.f[k][l] = query.proves ? T(corner_value<double>(raw[k], query.iso[iso_index]))
+                                  : corner_value<T>(raw[k], query.iso[iso_index]);
     finite += packet.f[k][l] * T(0);
   }
   const LevelWalk& cell = lane.walk.level[lane.walk.kCells];
@@ -73,10 +75,7 @@ inline bool fetch_cell(const VolumeQuery& query, const Grid& grid, const Lane<Gr
     packet.entry[a][l] = entry[a];
     packet.exit[a][l] = exit[a];
   }
-  if (query.proves) {
-    packet.slack[l] = chord_slack<T>(lane);
-    packet.error[l] = T(query.iso_error[iso_index] * 1.0001);
-  }
+  packet.slack[l] = query.proves ? chord_slack<T>(lane) : T(0);
   packet.begin[l] = T(iso_index == lane.iso_of_hit ? lane.begin_of_iso : lane.begin);
   packet.carry[l] = lane.carried ? (lane.sides >> iso_index & 1 ? T(-0.0) : T(0)) : T(__builtin_nan(""));
   return finite == T(0);

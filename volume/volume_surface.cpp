@@ -109,25 +109,6 @@ bool VolumeSurface::narrow(const TileFrustum& tile) const {
   return !active_bounds_.empty() && tile.may_meet(active_bounds_);
 }
 
-namespace {
-
-// The iso-value that corners are compared with: the least float that is not below the one asked for, so that
-// every sample lies on its true side.
-double provable_iso(const Volume& volume, double stored, bool double_precision) {
-  const bool wide =
-      volume.tree
-          ? visit_sparse_type(
-                volume.tree->type(),
-                []<class S>(SparseTag<S>) { return SampleTraits<typename SparseSample<S>::Type>::wide; })
-          : visit_sample_type(volume.type, []<class S>(SampleTag<S>) { return SampleTraits<S>::wide; });
-  if (wide || double_precision) return stored;
-  const float nearest = static_cast<float>(stored);
-  return double(nearest) >= stored ? nearest
-                                   : std::nextafter(nearest, std::numeric_limits<float>::infinity());
-}
-
-}  // namespace
-
 void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
   if (options.iso.empty() || options.iso.size() > kMaxIsos)
     throw InputError(fmt::format("{} iso-values were given; 1 to {} are possible for a volume",
@@ -137,11 +118,11 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
     const double value = options.iso[static_cast<std::size_t>(i)],
                  stored = (value - volume_->intercept) / volume_->slope;
     if (!std::isfinite(stored)) throw InputError(fmt::format("iso-value {} is no finite number", value));
-    query_.iso[i] =
-        options.method.proves() ? provable_iso(*volume_, stored, options.double_precision) : stored;
-    query_.iso_error[i] = query_.iso[i] - stored;
-    query_.key[i] = volume_->tree ? iso_key(volume_->tree->type(), query_.iso[i], options.double_precision)
-                                  : iso_key(volume_->type, query_.iso[i], options.double_precision);
+    query_.iso[i] = stored;
+    // what proves subtracts in double
+    const bool precise = options.double_precision || options.method.proves();
+    query_.key[i] = volume_->tree ? iso_key(volume_->tree->type(), stored, precise)
+                                  : iso_key(volume_->type, stored, precise);
   }
   if (macrocells_) {
     query_.active = macrocells_->active_box({query_.key, static_cast<std::size_t>(query_.iso_count)});

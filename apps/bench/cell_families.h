@@ -48,7 +48,7 @@ template <class T>
       packet.entry[i][lane] = static_cast<T>(chords[n].entry[i]);
       packet.exit[i][lane] = static_cast<T>(chords[n].exit[i]);
     }
-    packet.slack[lane] = packet.error[lane] = 0;
+    packet.slack[lane] = 0;
     packet.carry[lane] = std::numeric_limits<T>::quiet_NaN();
     packet.active |= 1u << lane;
   }

@@ -12,7 +12,7 @@ namespace isocast::inline ISO_ISA {
 template <Real R> struct Cell {
   R f[8];
   Vec3<R> entry, exit;
-  R begin, carry, slack, error;
+  R begin, carry, slack;
 };
 
 /// The lanes of a RootPacket. `sign_behind` true: f is negative behind the root.

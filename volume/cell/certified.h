@@ -16,13 +16,12 @@ template <Real R> ISO_HD inline BernsteinCubic<R> part_of(const BernsteinCubic<R
 
 /// How far any coefficient of the cubic, or of a part of it, is from the true one: 13 unit roundoffs of the
 /// largest corner for cubic_along, 9 for part_of, and for a chord whose ends are off by `slack` the largest
-/// slope of an average of corners in three directions, for each of its factors; and what the corners are off
-/// by.
+/// slope of an average of corners in three directions, for each of its factors.
 template <Real R> ISO_HD inline R coefficient_error(const Cell<R>& cell) {
   using T = Scalar<R>;
   R largest = abs(cell.f[0]);
   for (int i = 1; i < 8; ++i) largest = max(largest, abs(cell.f[i]));
-  return largest * (R(T(32) * kUnitRoundoff<T>) + R(7) * cell.slack) + R(T(64) * kSmallest<T>) + cell.error;
+  return largest * (R(T(32) * kUnitRoundoff<T>) + R(7) * cell.slack) + R(T(64) * kSmallest<T>);
 }
 
 /// All coefficients above `error`, or below its negative: there is no root.

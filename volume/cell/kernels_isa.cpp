@@ -24,7 +24,6 @@ template <Real R> Cell<R> load_cell(const CellPacket<Scalar<R>>& packet, int lan
   cell.begin = load<R>(packet.begin + lane);
   cell.carry = load<R>(packet.carry + lane);
   cell.slack = load<R>(packet.slack + lane);
-  cell.error = load<R>(packet.error + lane);
   return cell;
 }
 

@@ -12,12 +12,11 @@ namespace isocast {
 /// exactly 0 or 1 exit    where it leaves; s in [0,1] runs from entry to exit begin   roots are sought in
 /// (begin, 1]; 0 for the whole chord carry   +0 or -0 to carry a known sign of f at `begin`, NaN to evaluate
 /// it slack   of methods that prove: entry and exit may truly lie so far from where they are, per axis
-/// error   of methods that prove: every corner value may truly be so much less or more
 /// active  bit l set: lane l holds a cell
 template <class T> struct alignas(64) CellPacket {
   T f[8][kPacketSize];
   T entry[3][kPacketSize], exit[3][kPacketSize];
-  T begin[kPacketSize], carry[kPacketSize], slack[kPacketSize], error[kPacketSize];
+  T begin[kPacketSize], carry[kPacketSize], slack[kPacketSize];
   std::uint32_t active;
 };
 
