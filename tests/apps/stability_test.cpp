@@ -21,17 +21,13 @@ namespace {
 
 constexpr double kInfinity = __builtin_inf();
 
-// Known failures of the program (docs/stability.md): told, but no failures of the test.
-const std::set<std::string> kKnown = {"volumes/denormal_layer"};
-
 std::string text_of(const StressOutcome& outcome) { return outcome.expected + ": found " + outcome.broken; }
 
 void check(const StressResult& result) {
   REQUIRE_FALSE(result.answers.empty());
   for (const StressOutcome& outcome : result.outcomes) {
     INFO(result.name << ": " << text_of(outcome));
-    if (kKnown.contains(result.name)) CHECK_NOFAIL(outcome.broken.empty());
-    else CHECK(outcome.broken.empty());
+    CHECK(outcome.broken.empty());
   }
 }
 
