@@ -2,6 +2,8 @@
 
 namespace isocast {
 
+std::unique_ptr<PrimaryPass> Surface::primary(const View& /*view*/) const { return nullptr; }
+
 void Surface::any_hit(const RayStream& rays, bool (&hit)[kStreamSize], TraceCounts& counts) const {
   HitStream hits;
   clear(hits);

@@ -3,10 +3,15 @@
 
 #include <isocast/math/box.h>
 #include <isocast/ray/hit.h>
+#include <isocast/ray/primary_pass.h>
 #include <isocast/ray/stream.h>
 #include <isocast/ray/tile.h>
 
+#include <memory>
+
 namespace isocast {
+
+class View;
 
 /// Normals from the gradient of what is solved, or from central differences of it.
 enum class NormalKind : std::uint8_t { gradient, difference };
@@ -38,6 +43,10 @@ class Surface {
 
   /// False when no primary ray of the tile can hit.
   [[nodiscard]] virtual bool narrow(const TileFrustum& tile) const { return tile.may_meet(bounds()); }
+
+  /// What finds the primary rays of a whole picture together, for as long as the surface and its options and
+  /// the view stay as they are; null where first_hit does it tile by tile.
+  [[nodiscard]] virtual std::unique_ptr<PrimaryPass> primary(const View& view) const;
 
   /// For every ray the first hit in [t_min, t_max] that is nearer than the one `hits` already holds; other
   /// slots keep theirs.

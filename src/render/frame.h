@@ -4,6 +4,7 @@
 #include <isocast/render/render.h>
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace isocast {
@@ -13,6 +14,7 @@ namespace isocast {
 /// lights    of the scene, unit length
 /// objects   the numbers of all objects
 /// first_id  per object: ids of the objects before it
+/// passes    per object: what finds its primary rays block by block, or null
 /// proves    every object does
 struct Frame {
   const Scene& scene;
@@ -22,6 +24,7 @@ struct Frame {
   std::vector<Double3> lights;
   std::vector<std::uint16_t> objects;
   std::vector<int> first_id;
+  std::vector<std::unique_ptr<PrimaryPass>> passes;
   bool proves;
 };
 

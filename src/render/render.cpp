@@ -13,6 +13,8 @@
 namespace isocast {
 namespace {
 
+int tiles_along(int pixels) { return (pixels + kTileSize - 1) / kTileSize; }
+
 // Offset of sample `index` in its pixel: the centre, then the plastic-number sequence around it (Roberts
 // 2018).
 void sample_offset(int index, double& u, double& v) {
@@ -21,43 +23,82 @@ void sample_offset(int index, double& u, double& v) {
   v = fraction(0.5 + index * 0.5698402909980532);
 }
 
-// All samples of one tile.
-void render_tile(const Frame& frame, int tx, int ty, TileBuffers& b, Film& film, RenderCounts& counts) {
+// What one thread works with.
+struct Worker {
+  std::unique_ptr<TileBuffers> buffers = std::make_unique_for_overwrite<TileBuffers>();
+  std::unique_ptr<BlockHits> block;
+  RenderCounts counts;
+};
+
+// The objects that a tile may meet.
+std::vector<std::uint16_t> candidates_of(const Frame& frame, int tx, int ty) {
   const TileFrustum tile = frame.view.frustum(tx, ty);
   std::vector<std::uint16_t> candidates;
   for (const std::uint16_t object : frame.objects)
     if (frame.scene.objects[object].surface->narrow(tile)) candidates.push_back(object);
-  ++counts.tiles;
-  counts.tiles_culled += candidates.empty();
+  return candidates;
+}
 
-  for (int i = 0; i < kStreamSize; ++i) {
+// One sample of every pixel of a tile. found: as in trace_first_hits.
+void render_sample(const Frame& frame, int tx, int ty, int sample, const HitStream* found, TileBuffers& b,
+                   Film& film, RenderCounts& counts) {
+  const std::vector<std::uint16_t> candidates = candidates_of(frame, tx, ty);
+  if (sample == 0) {
+    ++counts.tiles;
+    counts.tiles_culled += candidates.empty();
+  }
+  double u = 0, v = 0;
+  sample_offset(sample, u, v);
+  RayStream& rays = b.primary.rays;
+  frame.view.fill(tx, ty, u, v, rays);
+  for (int i = 0; i < rays.size; ++i) {
+    counts.primary += is_ray(rays, i);
     b.primary.slot[i] = i;
     b.primary.weight[i] = 1;
   }
+  trace_first_hits(frame, candidates, found, b, counts.trace);
+  dress_hits(frame, candidates, sample == 0 ? frame.features.first_sample : frame.features.other_samples,
+             b.primary);
+  if (sample == 0) write_layers(frame, b.primary, film, counts);
+  if (frame.features.shade) add_colors(frame, candidates, b, film, counts);
+}
+
+// All samples of one block of tiles.
+void render_block(const Frame& frame, int bx, int by, Worker& worker, Film& film, Progress* progress) {
+  if (!worker.block) worker.block = std::make_unique_for_overwrite<BlockHits>();
+  BlockHits& block = *worker.block;
+  const int columns = std::min(kBlockTiles, tiles_along(frame.view.width()) - bx * kBlockTiles),
+            rows = std::min(kBlockTiles, tiles_along(frame.view.height()) - by * kBlockTiles);
   for (int sample = 0; sample < frame.settings.spp; ++sample) {
     double u = 0, v = 0;
     sample_offset(sample, u, v);
-    RayStream& rays = b.primary.rays;
-    frame.view.fill(tx, ty, u, v, rays);
-    for (int i = 0; i < rays.size; ++i) counts.primary += is_ray(rays, i);
-    trace_first_hits(frame, candidates, b, counts.trace);
-    dress_hits(frame, candidates, sample == 0 ? frame.features.first_sample : frame.features.other_samples,
-               b.primary);
-    if (sample == 0) write_layers(frame, b.primary, film, counts);
-    if (frame.features.shade) add_colors(frame, candidates, b, film, counts);
+    block.reset(frame.proves);
+    for (const auto& pass : frame.passes)
+      if (pass) pass->first_hits(bx, by, u, v, block, worker.counts.trace);
+    for (int y = 0; y < rows; ++y)
+      for (int x = 0; x < columns; ++x)
+        render_sample(frame, bx * kBlockTiles + x, by * kBlockTiles + y, sample,
+                      block.is_open(x, y) ? &block.tile(x, y) : nullptr, *worker.buffers, film,
+                      worker.counts);
   }
+  if (progress) progress->add(columns * rows);
 }
 
 Frame make_frame(const Scene& scene, const View& view, const RenderSettings& settings, const Film& film) {
   const bool proves =
       std::ranges::all_of(scene.objects, [](const SceneObject& o) { return o.surface->proves(); });
-  Frame frame{scene, view, settings, find_features(scene, film, settings), {}, {}, {}, proves};
+  Frame frame{scene, view, settings, find_features(scene, film, settings), {}, {}, {}, {}, proves};
   for (const Double3& light : scene.lights) frame.lights.push_back(normalized(light));
   for (int ids = 0; const SceneObject& object : scene.objects) {
     frame.objects.push_back(static_cast<std::uint16_t>(frame.objects.size()));
     frame.first_id.push_back(ids);
     ids += static_cast<int>(object.materials.size());
   }
+  // crossings of several objects wait for their turn, ray by ray
+  if (frame.features.transparency && scene.objects.size() > 1) return frame;
+  for (const SceneObject& object : scene.objects) frame.passes.push_back(object.surface->primary(view));
+  if (std::ranges::none_of(frame.passes, [](const auto& pass) { return pass != nullptr; }))
+    frame.passes.clear();
   return frame;
 }
 
@@ -78,27 +119,31 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
 }
 
 std::int64_t tile_count(const View& view) {
-  const auto tiles = [](int n) { return std::int64_t(n + kTileSize - 1) / kTileSize; };
-  return tiles(view.width()) * tiles(view.height());
+  return std::int64_t(tiles_along(view.width())) * tiles_along(view.height());
 }
 
 RenderCounts render(const Scene& scene, const View& view, const RenderSettings& settings, Film& film,
                     std::stop_token stop, Progress* progress) {
   assert(settings.transparency_depth >= 1);
   const Frame frame = make_frame(scene, view, settings, film);
-  struct Worker {
-    std::unique_ptr<TileBuffers> buffers = std::make_unique_for_overwrite<TileBuffers>();
-    RenderCounts counts;
-  };
   oneapi::tbb::combinable<Worker> workers;
-  const std::int64_t columns = (view.width() + kTileSize - 1) / kTileSize;
-  oneapi::tbb::parallel_for(std::int64_t(0), tile_count(view), [&](std::int64_t tile) {
-    if (stop.stop_requested()) return;
-    Worker& worker = workers.local();
-    render_tile(frame, static_cast<int>(tile % columns), static_cast<int>(tile / columns), *worker.buffers,
-                film, worker.counts);
-    if (progress) progress->add();
-  });
+  const int tiles = tiles_along(view.width());
+  if (frame.passes.empty())
+    oneapi::tbb::parallel_for(std::int64_t(0), tile_count(view), [&](std::int64_t tile) {
+      Worker& worker = workers.local();
+      for (int sample = 0; sample < settings.spp && !stop.stop_requested(); ++sample)
+        render_sample(frame, static_cast<int>(tile % tiles), static_cast<int>(tile / tiles), sample, nullptr,
+                      *worker.buffers, film, worker.counts);
+      if (progress) progress->add();
+    });
+  else {
+    const int blocks = (tiles + kBlockTiles - 1) / kBlockTiles,
+              rows = (tiles_along(view.height()) + kBlockTiles - 1) / kBlockTiles;
+    oneapi::tbb::parallel_for(0, blocks * rows, [&](int block) {
+      if (stop.stop_requested()) return;
+      render_block(frame, block % blocks, block / blocks, workers.local(), film, progress);
+    });
+  }
   if (stop.stop_requested()) throw Interrupted();
   check_mapped_files();
   RenderCounts counts;

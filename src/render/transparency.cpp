@@ -4,17 +4,21 @@
 
 namespace isocast {
 
-void trace_first_hits(const Frame& frame, std::span<const std::uint16_t> objects, TileBuffers& b,
-                      TraceCounts& counts) {
+void trace_first_hits(const Frame& frame, std::span<const std::uint16_t> objects, const HitStream* found,
+                      TileBuffers& b, TraceCounts& counts) {
   auto& [rays, hits, dressed, slot, weight] = b.primary;
-  clear(hits);
-  if (frame.proves) std::ranges::fill(hits.certificate, Certificate::proved_miss);
-  if (frame.features.transparency) {
+  if (found) hits = *found;
+  else {
+    clear(hits);
+    if (frame.proves) std::ranges::fill(hits.certificate, Certificate::proved_miss);
+  }
+  const auto has_pass = [&](std::uint16_t object) { return !frame.passes.empty() && frame.passes[object]; };
+  if (frame.features.transparency && !std::ranges::any_of(objects, has_pass)) {
     b.crossings.first(frame.scene, objects, rays, hits, counts);
     return;
   }
   for (const std::uint16_t object : objects)
-    frame.scene.objects[object].surface->first_hit(rays, hits, counts);
+    if (!has_pass(object)) frame.scene.objects[object].surface->first_hit(rays, hits, counts);
 }
 
 void dress_hits(const Frame& frame, std::span<const std::uint16_t> objects, const DressWishes& wishes,

@@ -18,8 +18,9 @@ struct TileBuffers {
 /// Finds the first hits of a tile's primary rays.
 ///
 /// objects  the numbers of those that the tile may meet
-void trace_first_hits(const Frame& frame, std::span<const std::uint16_t> objects, TileBuffers& b,
-                      TraceCounts& counts);
+/// found    what the passes found, or null where they found nothing or there are none
+void trace_first_hits(const Frame& frame, std::span<const std::uint16_t> objects, const HitStream* found,
+                      TileBuffers& b, TraceCounts& counts);
 
 /// Position, normal and value of the hits, as wished.
 void dress_hits(const Frame& frame, std::span<const std::uint16_t> objects, const DressWishes& wishes,
