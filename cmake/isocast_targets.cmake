@@ -48,20 +48,24 @@ function(isocast_add_module name)
 endfunction()
 
 # Kernels: the same sources once per instruction set, always -O3, in a namespace of their own (ISO_ISA):
-# isocast_add_kernels(TARGET [BUILD NAME DEFINITIONS WORD] sources...). A build of a name has namespaces ISA_NAME.
+# isocast_add_kernels(TARGET [PART NAME] [BUILD NAME DEFINITIONS WORD] sources...). A build of a name has namespaces
+# ISA_NAME; a part is one of several tables of kernels in a target.
 set(isocast_isas scalar sse4 avx2 avx512)
 set(isocast_isa_flags_scalar -fno-tree-vectorize)
 set(isocast_isa_flags_sse4 -msse4.2)
 set(isocast_isa_flags_avx2 -mavx2 -mf16c)
 set(isocast_isa_flags_avx512 -mavx512f -mavx512dq -mavx512bw -mavx512vl -mavx2 -mf16c -mprefer-vector-width=512)
 function(isocast_add_kernels target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "BUILD;DEFINITIONS" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PART;BUILD;DEFINITIONS" "")
+  if(arg_PART)
+    set(arg_PART _${arg_PART})
+  endif()
   foreach(isa ${isocast_isas})
     set(space ${isa})
     if(arg_BUILD)
       set(space ${isa}_${arg_BUILD})
     endif()
-    set(kernels ${target}_kernels_${space})
+    set(kernels ${target}${arg_PART}_kernels_${space})
     add_library(${kernels} OBJECT ${arg_UNPARSED_ARGUMENTS})
     target_link_libraries(${kernels} PRIVATE isocast_options)
     target_compile_definitions(${kernels} PRIVATE ISO_ISA=${space} ${arg_DEFINITIONS})

@@ -2,7 +2,7 @@
 
 isocast_packages=(g++ cmake ninja-build ccache libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libsleef-dev libopenimageio-dev libnifti2-dev libopenvdb-dev libnanovdb-dev libblosc-dev libboost-dev libimath-dev libpugixml-dev zlib1g-dev pkg-config catch2 libgmp-dev libmpfr-dev
-  libflint-dev libflint-arb-dev)
+  libflint-dev libflint-arb-dev libeigen3-dev)
 
 # Runs a command; shows what it printed only when it fails.
 quietly() {

@@ -15,7 +15,7 @@ namespace isocast {
 
 ImplicitSurface::ImplicitSurface(const Expression& expression, const Domain& domain,
                                  const ImplicitSurfaceOptions& options)
-    : tape_(make_tape(simplify(expression))) {
+    : tape_(make_tape(simplify(expression))), degree_(polynomial_degree(simplify(expression))) {
   if (options.components) components_.emplace(expression);
   for (int a = 0; a < 3; ++a) {
     bounds_.lo[a] = domain.lo[a];
@@ -61,8 +61,31 @@ void ImplicitSurface::set_options(const ImplicitSurfaceOptions& options) {
   shadow_eps_ = std::max(eps_, method.shadow_eps_rel * longest);
   gradient_ = !method.marches() ? 0 : median_gradient(tape_, bounds_, options.time);
   pruning_ = method.prune ? plan_pruning(tape_, bounds_, options.time, options.iso) : PruningPlan{};
+  prepare_frustum();
   float_query_ = make_query<float>();
   double_query_ = make_query<double>();
+}
+
+void ImplicitSurface::prepare_frustum() {
+  frustum_ = nullptr;
+  const FormulaMethodChoice& method = options_.method;
+  if (!method.has_form()) return;
+  if (!degree_.degree)
+    throw InputError(fmt::format("--method {} needs a polynomial in x, y and z, and the formula is {}",
+                                 formula_methods()[static_cast<std::size_t>(method.method)].name,
+                                 degree_.reason));
+  FrustumOptions options;
+  options.degree = *degree_.degree;
+  options.iso = options_.iso;
+  options.time = options_.time;
+  options.finder = method.finder;
+  options.precision = options_.double_precision  ? FrustumPrecision::full
+                      : options_.mixed_precision ? FrustumPrecision::mixed
+                                                 : FrustumPrecision::single;
+  options.proves = method.proves();
+  options.isa = options_.isa;
+  options.object = options_.object;
+  frustum_ = std::make_shared<const FrustumTracer>(tape_, bounds_, options);
 }
 
 template <class T> const FormulaSolver<T>& ImplicitSurface::solver() const {
@@ -200,13 +223,39 @@ void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const
   }
 }
 
+// Hits tell their component where a table of components is asked for.
+void ImplicitSurface::set_components(const RayStream& rays, HitStream& hits) const {
+  if (!components_) return;
+  for (int i = 0; i < rays.size; ++i) {
+    if (!is_hit(hits, i) || hits.object[i] != options_.object) continue;
+    const Double3 o = {rays.ox[i], rays.oy[i], rays.oz[i]}, d = {rays.dx[i], rays.dy[i], rays.dz[i]};
+    hits.cell[0][i] = components_->at(o + hits.t[i] * d, options_.time);
+  }
+}
+
+std::unique_ptr<PrimaryPass> ImplicitSurface::primary(const View& view) const {
+  // a component is told from the hit's ray
+  if (!frustum_ || components_) return nullptr;
+  return frustum_->primary(view);
+}
+
 void ImplicitSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   const DefaultFloatEnvironment environment;
+  if (frustum_) {
+    frustum_->trace(false, rays, hits, counts);
+    set_components(rays, hits);
+    return;
+  }
   if (options_.double_precision) trace(double_query_, false, rays, hits, counts);
   else trace(float_query_, false, rays, hits, counts);
 }
 void ImplicitSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   const DefaultFloatEnvironment environment;
+  if (frustum_) {
+    frustum_->trace(true, rays, hits, counts);
+    set_components(rays, hits);
+    return;
+  }
   if (options_.double_precision) trace(double_query_, true, rays, hits, counts);
   else trace(float_query_, true, rays, hits, counts);
 }

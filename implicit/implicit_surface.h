@@ -2,8 +2,10 @@
 #pragma once
 
 #include <isocast/implicit/components.h>
+#include <isocast/implicit/expression/degree.h>
 #include <isocast/implicit/expression/domain.h>
 #include <isocast/implicit/expression/tape.h>
+#include <isocast/implicit/frustum/frustum_tracer.h>
 #include <isocast/implicit/methods.h>
 #include <isocast/implicit/segment_pruning.h>
 #include <isocast/implicit/solve/kernels.h>
@@ -19,6 +21,7 @@ namespace isocast {
 /// time        the variable w
 /// normals     difference: over a stencil tied to the method's eps (FormulaMethodChoice)
 /// components  hits say which operand of the formula's min and max was hit; as the surface is made, for good
+/// mixed_precision  of frustum methods, without double_precision: polynomials in double, roots in float
 /// object      number of the object in its scene
 struct ImplicitSurfaceOptions {
   std::vector<double> iso = {0};
@@ -26,7 +29,7 @@ struct ImplicitSurfaceOptions {
   NormalKind normals = NormalKind::gradient;
   bool components = false;
   FormulaMethodChoice method;
-  bool double_precision = false;
+  bool double_precision = false, mixed_precision = false;
   Isa isa = widest_isa();
   std::uint16_t object = 0;
 };
@@ -39,7 +42,8 @@ struct ImplicitSurfaceOptions {
 ///         decisions 2 and 3)
 class ImplicitSurface final : public Surface {
  public:
-  /// Throws InputError for a box that is empty or not finite, and for options that cannot be used.
+  /// Throws InputError for a box that is empty or not finite, and for options that cannot be used: frustum
+  /// methods need a polynomial.
   ImplicitSurface(const Expression& expression, const Domain& domain, const ImplicitSurfaceOptions& options);
 
   void set_options(const ImplicitSurfaceOptions& options);
@@ -48,6 +52,7 @@ class ImplicitSurface final : public Surface {
   [[nodiscard]] int component_count() const { return components_ ? components_->count() : 0; }
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] bool proves() const override { return options_.method.proves(); }
+  [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
@@ -67,6 +72,9 @@ class ImplicitSurface final : public Surface {
   void trace(const FormulaQuery<T>& query, bool next, const RayStream& rays, HitStream& hits,
              TraceCounts& counts) const;
 
+  void set_components(const RayStream& rays, HitStream& hits) const;
+  void prepare_frustum();
+
   std::optional<Components> components_;
   Tape tape_;
   double gradient_;  // median of its length, probed
@@ -76,6 +84,8 @@ class ImplicitSurface final : public Surface {
   FormulaQuery<double> double_query_ = {};
   PruningPlan pruning_;
   double eps_ = 0, shadow_eps_ = 0;
+  PolynomialDegree degree_;
+  std::shared_ptr<const FrustumTracer> frustum_;  // of frustum methods
 };
 
 }  // namespace isocast

@@ -78,12 +78,12 @@ constexpr MethodOption kOffset = {"offset",
                                   "",
                                   "added to every iso-value: fattens a surface that is only touched"};
 
-constexpr MethodOption kInterval[] = {kEps,         kEpsRel, kDelta, kBisection, kShadow,  kNormalStep,
-                                      kNormalGrows, kBeams,  kBeams, kPrune,     kRounding};
+constexpr MethodOption kInterval[] = {kEps,        kEpsRel,      kDelta, kBisection, kShadow,
+                                      kNormalStep, kNormalGrows, kBeams, kPrune,     kRounding};
 constexpr MethodOption kAffine[] = {kEps,        kEpsRel,      kDelta, kBisection, kTrim,    kShadow,
                                     kNormalStep, kNormalGrows, kBeams, kPrune,     kRounding};
-constexpr MethodOption kDerivative[] = {kEps,         kEpsRel, kDelta, kShadow, kNormalStep,
-                                        kNormalGrows, kBeams,  kBeams, kPrune,  kRounding};
+constexpr MethodOption kDerivative[] = {kEps,         kEpsRel, kDelta, kShadow,  kNormalStep,
+                                        kNormalGrows, kBeams,  kPrune, kRounding};
 constexpr MethodOption kMarching[] = {
     kStep,
     tau("tau1", "where |f - iso| is at most this, half a step; 0: the median gradient times the base step"),
@@ -95,6 +95,31 @@ constexpr MethodOption kMarching[] = {
     kNormalStep,
     kNormalGrows,
     kPrune};
+
+constexpr MethodOption kFormEps = {"eps",
+                                   0x1p-11,
+                                   0x1p-40,
+                                   0.5,
+                                   false,
+                                   "depth of a block, or of a ray on its own",
+                                   "how close a root is sought"};
+constexpr MethodOption kStop = {
+    "stop",
+    0,
+    0,
+    1,
+    true,
+    "",
+    "knots: where they are dense around the root; value: where |f| is below eps^2 or the interval below eps",
+    "knots value"};
+constexpr MethodOption kSteps = {
+    "iterations", 64, 1, 64, true, "", "subdivisions or inserted knots of a ray"};
+constexpr MethodOption kCertify = {
+    "certify", 1, 0, 1, true, "", "1: roots are improved, and the signs of the form prove hits and misses"};
+constexpr MethodOption kFrustum[] = {kFormEps, kStop, kSteps, kCertify, kNormalStep, kNormalGrows};
+constexpr const char* kReimers =
+    "Reimers, Seland: Ray casting algebraic surfaces using the frustum form, Computer Graphics Forum 27(2), "
+    "2008";
 
 constexpr const char* kMitchell =
     "Mitchell: Robust ray intersection with interval arithmetic, Graphics Interface 1990";
@@ -111,6 +136,17 @@ constexpr Method kMethods[kFormulaMethodCount] = {
     {"interval-newton", "formula", "both", "library", "float double", kDerivative, kMoore},
     {"amp-sign", "formula", "nothing", "library", "float double", kMarching, kSingh},
     {"amp-taylor", "formula", "nothing", "library", "float double", kMarching, kSingh},
+    {"frustum-lr", "formula", "both", "basic", "float double mixed", kFrustum, kReimers},
+    {"frustum-mr", "formula", "both", "basic", "float double mixed", kFrustum, kReimers},
+    {"frustum-lr-mult", "formula", "both", "basic", "float double mixed", kFrustum, kReimers},
+    {"frustum-mr-mult", "formula", "both", "basic", "float double mixed", kFrustum, kReimers},
+    {"frustum-schneider", "formula", "both", "basic", "float double mixed", kFrustum,
+     "Schneider: A Bezier curve-based root-finder, Graphics Gems, 1990; on the frustum form of Reimers and "
+     "Seland"},
+    {"frustum-clip", "formula", "both", "basic", "float double mixed", kFrustum,
+     "Nishita, Sederberg, Kakimoto: Ray tracing trimmed rational surface patches, SIGGRAPH 1990, from one "
+     "side; on "
+     "the frustum form of Reimers and Seland"},
 };
 
 }  // namespace
@@ -143,6 +179,13 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   options.step = value("step", 0);
   options.tau[0] = value("tau1", 0), options.tau[1] = value("tau2", 0), options.tau[2] = value("tau3", 0);
   options.halvings = static_cast<int>(value("iterations", 0));
+  if (choice.has_form()) {
+    choice.finder = {static_cast<RootFinder>(static_cast<int>(choice.method) -
+                                             static_cast<int>(FormulaMethod::frustum_lr)),
+                     value("eps", 0), value("stop", 0) == 1, static_cast<int>(value("iterations", 64))};
+    choice.certify = value("certify", 1) != 0;
+    choice.eps = 0;
+  }
   if (choice.method == FormulaMethod::mitchell) options.derivative = Derivative::of_all;
   if (choice.method == FormulaMethod::interval_newton) options.derivative = Derivative::newton;
   return choice;

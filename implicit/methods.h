@@ -1,6 +1,7 @@
 // The rows of the method table for formulas.
 #pragma once
 
+#include <isocast/implicit/frustum/finder.h>
 #include <isocast/implicit/solve/kernels.h>
 #include <isocast/ray/method.h>
 
@@ -20,6 +21,7 @@ namespace isocast {
 /// offset    added to every iso-value
 /// nearest   inclusions whose bounds are the nearest numbers
 /// beams     rays of a tile are first cut together to where f may be an iso-value
+/// finder    the root finder of frustum methods; certify: whether their hits and misses come with proofs
 /// prune     where min, max or a choice is decided the tape is run without what it does not need
 /// shadow_eps_rel  eps_rel of shadow rays, if larger
 /// normal_step     stencil of difference normals in eps; `normal_grows`: in proportion to the distance along
@@ -29,10 +31,15 @@ struct FormulaMethodChoice {
   FormulaMethod method = FormulaMethod::affine;
   FormulaOptions options;
   double eps = 0, eps_rel = 0x1p-11, offset = 0, shadow_eps_rel = 0, normal_step = 1;
-  bool normal_grows = false, prune = true, nearest = false, beams = true;
+  bool normal_grows = false, prune = true, nearest = false, beams = true, certify = true;
+  FinderOptions finder;
   /// Samples f along the rays instead of including it.
-  [[nodiscard]] bool marches() const { return method >= FormulaMethod::amp_sign; }
-  [[nodiscard]] bool proves() const { return !marches() && !nearest; }
+  [[nodiscard]] bool marches() const {
+    return method == FormulaMethod::amp_sign || method == FormulaMethod::amp_taylor;
+  }
+  /// Works on the frustum form, of polynomials alone.
+  [[nodiscard]] bool has_form() const { return method >= FormulaMethod::frustum_lr; }
+  [[nodiscard]] bool proves() const { return has_form() ? certify : !marches() && !nearest; }
 };
 /// A row with its `--set` values. Throws InputError as find_method and resolve_options do.
 [[nodiscard]] FormulaMethodChoice choose_formula_method(std::string_view name,

@@ -43,14 +43,13 @@ void run(const RenderWords& words) {
   const bool exr = extension == ".exr";
   if (!exr && extension != ".png")
     throw InputError(fmt::format("-o {}: expected a name that ends with .png or .exr", words.output));
-  if (words.precision == "mixed")
-    throw InputError("--precision mixed: volumes and formulas are solved in float or double");
   const auto [width, height] = parse_size(words.size);
   const std::vector<Layer> layers = parse_layers(words, exr);
   const std::vector<std::vector<double>> frames = parse_frames(words);
   SceneDescription description = describe(words);
   description.object.iso = frames.front();
-  const EvaluationSettings evaluation{isa_from_name(words.isa), words.precision == "double"};
+  const EvaluationSettings evaluation{isa_from_name(words.isa), words.precision == "double",
+                                      words.precision == "mixed"};
   const int threads = words.threads > 0 ? words.threads : oneapi::tbb::info::default_concurrency();
   const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
                                           static_cast<std::size_t>(threads));
@@ -89,7 +88,7 @@ void run(const RenderWords& words) {
                              find_features(built.scene, film, settings),
                              counts,
                              std::string(name_of(evaluation.isa)),
-                             evaluation.double_precision,
+                             words.precision,
                              threads,
                              width,
                              height,

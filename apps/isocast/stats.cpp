@@ -16,7 +16,7 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
 
   json stats = {{"version", version},
                 {"isa", r.isa},
-                {"precision", r.double_precision ? "double" : "float"},
+                {"precision", r.precision},
                 {"threads", r.threads},
                 {"method", r.built.method}};
   if (!r.built.method_reason.empty()) stats["method_reason"] = r.built.method_reason;

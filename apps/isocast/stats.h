@@ -14,7 +14,7 @@ struct FrameReport {
   const Features& features;
   const RenderCounts& counts;
   std::string isa;
-  bool double_precision;
+  std::string precision;
   int threads, width, height, spp;
   double render_ms, write_ms, total_ms;
 };

@@ -70,6 +70,7 @@ void draw(const Request& request) {
   wishes.method = request.method;
   wishes.time = parse_number(request.time, "--time");
   wishes.evaluation.double_precision = request.precision == "double";
+  wishes.evaluation.mixed_precision = request.precision == "mixed";
   for (const std::string& word : request.set) wishes.settings.insert(parse_key_value(word, "--set"));
   // a bad name fails before the work
   { const OutputFile writable(request.output); }

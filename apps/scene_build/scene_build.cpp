@@ -34,6 +34,13 @@ void list(BuiltScene& built, bool used, const char* name) {
   (used ? built.features : built.left_out).push_back(name);
 }
 
+// Whether a method has the precision that is asked for.
+void check_precision(const Method& method, const EvaluationSettings& settings) {
+  if (settings.mixed_precision && method.precisions.find("mixed") == std::string_view::npos)
+    throw InputError(
+        fmt::format("--precision mixed: the method {} has only {}", method.name, method.precisions));
+}
+
 // A surface made with these options, which its iso-values and its method may change in later. choose: the
 // row of the method table.
 template <class SurfaceKind, class Options, class Choose>
@@ -63,7 +70,9 @@ void build(BuiltScene& built, const VolumeSource& source, const ObjectDescriptio
   options.double_precision = settings.double_precision;
   options.isa = settings.isa;
   options.normals = wanted.normals;
-  built.method = std::string(volume_methods()[static_cast<std::size_t>(options.method.method)].name);
+  const Method& method = volume_methods()[static_cast<std::size_t>(options.method.method)];
+  check_precision(method, settings);
+  built.method = std::string(method.name);
   if (wanted.method == "auto")
     built.method_reason = "the first root of the exact cubic, isolated: right and fastest of those that are";
 
@@ -97,6 +106,7 @@ void build(BuiltScene& built, const FormulaSource& source, const ObjectDescripti
   const bool automatic = wanted.method == "auto";
   options.method = choose_formula_method(automatic ? "affine" : wanted.method, wanted.settings);
   options.double_precision = settings.double_precision;
+  options.mixed_precision = settings.mixed_precision;
   options.isa = settings.isa;
   options.time = source.time;
   options.normals = wanted.normals;
@@ -107,7 +117,9 @@ void build(BuiltScene& built, const FormulaSource& source, const ObjectDescripti
     options.method.method = choice.method;
     built.method_reason = choice.reason;
   }
-  built.method = std::string(formula_methods()[static_cast<std::size_t>(options.method.method)].name);
+  const Method& method = formula_methods()[static_cast<std::size_t>(options.method.method)];
+  check_precision(method, settings);
+  built.method = std::string(method.name);
 
   const auto start = Clock::now();
   const auto surface = std::make_shared<ImplicitSurface>(source.expression, source.domain, options);

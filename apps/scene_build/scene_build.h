@@ -14,7 +14,7 @@ namespace isocast {
 /// How the scene is evaluated, the same for all its objects.
 struct EvaluationSettings {
   Isa isa = widest_isa();
-  bool double_precision = false;
+  bool double_precision = false, mixed_precision = false;
 };
 
 /// A scene with what was learnt while it was built, for --stats.

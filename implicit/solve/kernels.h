@@ -8,8 +8,23 @@ namespace isocast {
 
 enum class Isa : std::uint8_t;  // isa/cpu.h
 
-enum class FormulaMethod : std::uint8_t { interval, affine, mitchell, interval_newton, amp_sign, amp_taylor };
-inline constexpr int kFormulaMethodCount = 6;
+/// The first kSolverCount are in these tables; frustum methods are in the order of RootFinder
+/// (implicit/frustum/finder.h).
+enum class FormulaMethod : std::uint8_t {
+  interval,
+  affine,
+  mitchell,
+  interval_newton,
+  amp_sign,
+  amp_taylor,
+  frustum_lr,
+  frustum_mr,
+  frustum_lr_mult,
+  frustum_mr_mult,
+  frustum_schneider,
+  frustum_clip
+};
+inline constexpr int kSolverCount = 6, kFormulaMethodCount = 12;
 
 /// f and its gradient at the first `size` positions; the other numbers are not used but must be there.
 struct alignas(64) GradientStream {
@@ -26,7 +41,7 @@ template <class T> struct FormulaSolver {
   Narrow* narrow;
   std::size_t register_bytes;
 };
-template <class T> struct FormulaSolvers { FormulaSolver<T> of[kFormulaMethodCount]; };
+template <class T> struct FormulaSolvers { FormulaSolver<T> of[kSolverCount]; };
 /// find_gradients  `registers` as a solver's, with room for `gradient_bytes` each
 struct FormulaKernels {
   FormulaSolvers<float> for_float;

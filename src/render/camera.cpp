@@ -96,6 +96,18 @@ void View::fill(int tx, int ty, double offset_u, double offset_v, RayStream& ray
   }
 }
 
+PixelLines View::lines() const {
+  const Double3 corner = image_point(0, 0), still = {0, 0, 0};
+  const Double3 &o = orthographic_ ? corner : eye_, &d = orthographic_ ? forward_ : corner;
+  PixelLines lines;
+  for (int a = 0; a < 3; ++a) {
+    lines.o[a] = o[a], lines.d[a] = d[a];
+    lines.o_u[a] = (orthographic_ ? right_ : still)[a], lines.o_v[a] = (orthographic_ ? down_ : still)[a];
+    lines.d_u[a] = (orthographic_ ? still : right_)[a], lines.d_v[a] = (orthographic_ ? still : down_)[a];
+  }
+  return lines;
+}
+
 TileFrustum View::frustum(int tx, int ty) const {
   const double u0 = tx * kTileSize, v0 = ty * kTileSize;
   const double u1 = std::min<double>(u0 + kTileSize, width_), v1 = std::min<double>(v0 + kTileSize, height_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/math/box.h>
+#include <isocast/ray/pixel_lines.h>
 #include <isocast/ray/stream.h>
 #include <isocast/ray/tile.h>
 
@@ -45,6 +46,9 @@ class View {
   /// top, in packets of 4x4 pixels; slots outside the picture are empty. Directions have unit length, t_min
   /// is 0. id is x + y * width.
   void fill(int tx, int ty, double offset_u, double offset_v, RayStream& rays) const;
+
+  /// All primary rays as one map, with s = 1 at distance 1 along forward().
+  [[nodiscard]] PixelLines lines() const;
 
   /// The solid that holds the tile's primary rays.
   [[nodiscard]] TileFrustum frustum(int tx, int ty) const;

@@ -1,0 +1,149 @@
+// Polynomials over [0, 1] by their Bernstein coefficients, one a lane.
+#pragma once
+
+#include <isocast/math/real.h>
+
+namespace isocast {
+
+/// Degrees of frustum forms: above it, they come in parts of a smaller degree.
+inline constexpr int kMostFormDegree = 24;
+/// Degrees up to this have loops of their own.
+inline constexpr int kMostUnrolled = 18;
+
+}  // namespace isocast
+
+namespace isocast::inline ISO_ISA {
+
+/// The coefficients of both parts of a polynomial of degree d, divided at s by de Casteljau's algorithm: each
+/// of them is a mean of the given ones. kDegree 0: any degree.
+template <int kDegree, Real R> inline void divide(const R* c, int d, R s, R* left, R* right) {
+  const int n = kDegree ? kDegree : d;
+  const R before = R(1) - s;
+#pragma GCC unroll 24
+  for (int i = 0; i <= n; ++i) right[i] = c[i];
+  left[0] = c[0];
+#pragma GCC unroll 24
+  for (int r = 1; r <= n; ++r) {
+#pragma GCC unroll 24
+    for (int i = 0; i <= n - r; ++i) right[i] = before * right[i] + s * right[i + 1];
+    left[r] = right[0];
+  }
+}
+
+/// The part [0, s] alone, in place.
+template <int kDegree, Real R> inline void keep_left(R* c, int d, R s) {
+  const int n = kDegree ? kDegree : d;
+  const R before = R(1) - s;
+#pragma GCC unroll 24
+  for (int r = 1; r <= n; ++r)
+#pragma GCC unroll 24
+    for (int i = n; i >= r; --i) c[i] = before * c[i - 1] + s * c[i];
+}
+
+/// The part [s, 1] alone, in place.
+template <int kDegree, Real R> inline void keep_right(R* c, int d, R s) {
+  const int n = kDegree ? kDegree : d;
+  const R before = R(1) - s;
+#pragma GCC unroll 24
+  for (int r = 1; r <= n; ++r)
+#pragma GCC unroll 24
+    for (int i = 0; i <= n - r; ++i) c[i] = before * c[i] + s * c[i + 1];
+}
+
+/// The three for one degree.
+template <Real R> struct BezierLoops {
+  void (*divide)(const R* c, int d, R s, R* left, R* right);
+  void (*keep_left)(R* c, int d, R s);
+  void (*keep_right)(R* c, int d, R s);
+};
+template <Real R, int kDegree>
+inline constexpr BezierLoops<R> kBezierLoops = {divide<kDegree, R>, keep_left<kDegree, R>,
+                                                keep_right<kDegree, R>};
+
+template <Real R>
+inline constexpr BezierLoops<R> kBezierTable[kMostUnrolled + 1] = {
+    kBezierLoops<R, 0>,  kBezierLoops<R, 1>,  kBezierLoops<R, 2>,  kBezierLoops<R, 3>,  kBezierLoops<R, 4>,
+    kBezierLoops<R, 5>,  kBezierLoops<R, 6>,  kBezierLoops<R, 7>,  kBezierLoops<R, 8>,  kBezierLoops<R, 9>,
+    kBezierLoops<R, 10>, kBezierLoops<R, 11>, kBezierLoops<R, 12>, kBezierLoops<R, 13>, kBezierLoops<R, 14>,
+    kBezierLoops<R, 15>, kBezierLoops<R, 16>, kBezierLoops<R, 17>, kBezierLoops<R, 18>};
+
+/// A polynomial of a degree up to kMostFormDegree.
+template <Real R> struct Bezier {
+  int degree;
+  R c[kMostFormDegree + 1];
+
+  const BezierLoops<R>& loops() const { return kBezierTable<R>[degree <= kMostUnrolled ? degree : 0]; }
+  void divide(R s, Bezier& left, Bezier& right) const {
+    left.degree = right.degree = degree;
+    loops().divide(c, degree, s, left.c, right.c);
+  }
+  void keep_left(R s) { loops().keep_left(c, degree, s); }
+  void keep_right(R s) { loops().keep_right(c, degree, s); }
+
+  /// The value at s of [0, 1], within 4 degree unit roundoffs of the largest coefficient.
+  R at(R s) const {
+    const R before = R(1) - s;
+    R power = R(1), sum = c[0] * before;
+    Scalar<R> binomial = 1;
+    for (int k = 1; k < degree; ++k) {
+      power = power * s;
+      binomial = binomial * Scalar<R>(degree - k + 1) / Scalar<R>(k);
+      sum = (sum + power * R(binomial) * c[k]) * before;
+    }
+    return sum + power * s * c[degree];
+  }
+  /// The slope at s, from the coefficients' differences.
+  R slope_at(R s) const {
+    Bezier slopes;
+    slopes.degree = degree - 1;
+    for (int k = 0; k < degree; ++k) slopes.c[k] = R(Scalar<R>(degree)) * (c[k + 1] - c[k]);
+    return degree == 1 ? slopes.c[0] : slopes.at(s);
+  }
+  R largest() const {
+    R size = abs(c[0]);
+    for (int k = 1; k <= degree; ++k) size = max(size, abs(c[k]));
+    return size;
+  }
+  /// All coefficients on one side of zero, by more than `margin`: no root.
+  Mask<R> keeps_sign(R margin) const {
+    R lo = c[0], hi = c[0];
+    for (int k = 1; k <= degree; ++k) lo = min(lo, c[k]), hi = max(hi, c[k]);
+    return (lo > margin) | (hi < -margin);
+  }
+  /// Two neighbours differ in sign.
+  Mask<R> changes_sign() const {
+    const Mask<R> first = negative(c[0]);
+    Mask<R> changes = Mask<R>(false);
+    for (int k = 1; k <= degree; ++k) changes = changes | (negative(c[k]) != first);
+    return changes;
+  }
+};
+
+template <Real R> inline void assign(Bezier<R>& to, Mask<R> where, const Bezier<R>& from) {
+  for (int k = 0; k <= to.degree; ++k) to.c[k] = select(where, from.c[k], to.c[k]);
+}
+
+/// The first zero of the control polygon, s, between coefficients k - 1 and k.
+template <Real R> struct PolygonZero {
+  Mask<R> found;
+  R s, k;
+  R changes;  // of sign, in all
+};
+template <Real R> inline PolygonZero<R> polygon_zero(const Bezier<R>& p) {
+  using T = Scalar<R>;
+  PolygonZero<R> zero{Mask<R>(false), R(0), R(0), R(0)};
+  R before = p.c[0], behind = p.c[0];
+  for (int k = p.degree; k >= 1; --k) {
+    const Mask<R> here = negative(p.c[k - 1]) != negative(p.c[k]);
+    zero.found = zero.found | here;
+    zero.changes = zero.changes + select(here, R(1), R(0));
+    zero.k = select(here, R(T(k)), zero.k);
+    before = select(here, p.c[k - 1], before);
+    behind = select(here, p.c[k], behind);
+  }
+  const R share = before / (before - behind);
+  zero.s = ((zero.k - R(1)) + select(share == share, share, R(0))) / R(T(p.degree));
+  return zero;
+}
+
+}  // namespace isocast::inline ISO_ISA

@@ -1,0 +1,354 @@
+// A block of the picture: the form of f over it is divided among its tiles as far as it may vanish there, and
+// becomes the polynomials of their rays.
+#pragma once
+
+#include <isocast/implicit/frustum/patch.h>
+#include <isocast/implicit/frustum/row_roots.h>
+
+namespace isocast::inline ISO_ISA {
+
+/// A part of the block: `size` x `size` tiles from (x, y), depths w0 to w1 as shares of the block's.
+///
+/// before, behind  bit i of known: no ray of the part meets iso-value i before w0 (behind w1), and bit i of
+///                 negative: f < iso i there
+struct FrustumPart {
+  struct Sides {
+    std::uint32_t known, negative;
+  };
+  int x, y, size;
+  double w0, w1;
+  Sides before, behind;
+};
+
+/// T: precision of the roots; C: of the rays' polynomials.
+template <class T, class C> class FrustumBlock {
+ public:
+  using Found = void(void* context, int x, int y, const TileRoots& roots);
+
+  /// scratch  doubles, as many as frustum_scratch says
+  FrustumBlock(const FrustumQuery& query, double* scratch, void* registers, FrustumCounts& counts,
+               void* context, Found* found)
+      : query_(query),
+        shape_{query.across.degree, query.along.degree},
+        scratch_(scratch),
+        registers_(registers),
+        counts_(counts),
+        context_(context),
+        found_(found) {}
+
+  void solve() {
+    double* const b = scratch_;
+    double* const free = b + shape_.size();
+    interpolate(query_, b, free, registers_);
+    counts_.evaluations += (shape_.across + 1) * (shape_.across + 1) * (shape_.along + 1);
+    const double size = largest(b, shape_.size());
+    if (!(size < kInfinity<double>)) margin_ = kInfinity<double>;
+    else {
+      // halving and trimming round as well
+      margin_ = 0x1p-53 * 64 * (shape_.across + shape_.along + 8) * size;
+      if (query_.check_points) {
+        margin_ += form_error(query_, b, free, registers_) + query_.slack;
+        counts_.evaluations += (query_.degree + 1) * (query_.degree + 1) * (query_.degree + 1);
+      }
+    }
+    visit({0, 0, kBlockPixels / kTile, 0, 1, {}, {}}, b, free);
+  }
+
+ private:
+  static constexpr int kTile = 16;
+
+  void visit(FrustumPart part, double* b, double* free) {
+    if (!trim(part, b)) return;
+    if (part.size == 1) {
+      solve_tile(part, b, free);
+      return;
+    }
+    const int half = part.size / 2, n = shape_.across + 1, size = shape_.size();
+    double *const strip = free, *const child = free + size, *const rest = free + 2 * size;
+    for (int v = 0; v < 2; ++v) {
+      combine(strip, b, query_.across.halves[v], n, n, shape_.sheet());
+      for (int u = 0; u < 2; ++u) {
+        combine_in_rows(child, shape_.row(), strip, shape_.row(), query_.across.halves[u], n, n,
+                        n * (shape_.along + 1));
+        FrustumPart quarter = part;
+        quarter.size = half;
+        quarter.x += u * half, quarter.y += v * half;
+        visit(quarter, child, rest);
+      }
+    }
+  }
+
+  // Least and largest coefficient of every depth.
+  void find_hull(const double* b, double* lo, double* hi) const {
+    const int row = shape_.row(), n = shape_.across + 1;
+    for (int k = 0; k <= shape_.along; ++k) {
+      lo[k] = kInfinity<double>, hi[k] = -kInfinity<double>;
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+          const double c = b[j * shape_.sheet() + k * row + i];
+          lo[k] = min(c, lo[k]), hi[k] = max(c, hi[k]);
+        }
+    }
+  }
+
+  // Cuts off what the hull of the coefficients shows to be empty at both ends; false where that is all.
+  bool trim(FrustumPart& part, double* b) {
+    double lo[kMostFormDegree + 1], hi[kMostFormDegree + 1];
+    const int d = shape_.along;
+    for (int round = 0; round < 3; ++round) {
+      find_hull(b, lo, hi);
+      double first = 1, last = 0;
+      FrustumPart::Sides front{}, back{};
+      for (int i = 0; i < query_.iso_count; ++i) {
+        const auto distance = [&](int k, bool above) {
+          return (above ? lo[k] - query_.iso[i] : query_.iso[i] - hi[k]) - margin_;
+        };
+        // where the lower hull from one end reaches zero; 2: never
+        const auto reach = [&](int from, int step, bool above) {
+          double s = 2;
+          const double start = distance(from, above);
+          if (!(start > 0)) return 0.0;
+          for (int k = from + step, n = 1; n <= d; k += step, ++n) {
+            const double f = distance(k, above);
+            if (!(f > 0)) s = min(double(n) / d * (start / (start - f)), s);
+          }
+          return s;
+        };
+        const bool above_front = distance(0, true) > 0, above_back = distance(d, true) > 0;
+        const double near = reach(0, 1, above_front), far = 1 - reach(d, -1, above_back);
+        const std::uint32_t bit = 1u << i;
+        if (near > 0) front.known |= bit, front.negative |= above_front ? 0 : bit;
+        if (far < 1) back.known |= bit, back.negative |= above_back ? 0 : bit;
+        if (near > 1) continue;
+        first = min(near, first), last = max(far, last);
+      }
+      if (first > last) return false;
+      // room for the roundings of the hull
+      first = max(first - 0x1p-40, 0.0), last = min(last + 0x1p-40, 1.0);
+      if (!(last - first < 0.75)) return true;
+      cut(b, first, last);
+      const double length = part.w1 - part.w0;
+      if (last < 1) part.behind = back, part.w1 = part.w0 + last * length;
+      if (first > 0) part.before = front, part.w0 = part.w0 + first * length;
+    }
+    return true;
+  }
+
+  // De Casteljau's algorithm along the depth, for a row of u at a time.
+  void cut(double* b, double first, double last) const {
+    const int row = shape_.row(), d = shape_.along;
+    const Wide s = Wide(last), before_s = Wide(1 - last), t = Wide(first / last),
+               before_t = Wide(1 - first / last);
+    for (int j = 0; j <= shape_.across; ++j)
+      for (int x = 0; x < row; x += kWidth<Wide>) {
+        double* const at = b + j * shape_.sheet() + x;
+        Wide c[kMostFormDegree + 1];
+        for (int k = 0; k <= d; ++k) c[k] = load<Wide>(at + k * row);
+        if (last < 1)
+          for (int r = 1; r <= d; ++r)
+            for (int k = d; k >= r; --k) c[k] = before_s * c[k - 1] + s * c[k];
+        if (first > 0)
+          for (int r = 1; r <= d; ++r)
+            for (int k = 0; k <= d - r; ++k) c[k] = before_t * c[k] + t * c[k + 1];
+        for (int k = 0; k <= d; ++k) store(at + k * row, c[k]);
+      }
+  }
+
+  // Depths between which the rays of a row of pixels are in the domain.
+  void clip_row(double u, double v, double* begin, double* end) const {
+    const PixelLines& lines = query_.lines;
+    for (int first = 0; first < kRow; first += kWidth<Wide>) {
+      double places[kWidth<Wide>];
+      for (int l = 0; l < kWidth<Wide>; ++l) places[l] = u + (first + l) + query_.offset_u;
+      const Wide pixel = load<Wide>(places);
+      Wide near = Wide(query_.s0), far = Wide(query_.s1);
+      for (int a = 0; a < 3; ++a) {
+        const Wide o = Wide(lines.o[a] + v * lines.o_v[a]) + pixel * Wide(lines.o_u[a]),
+                   d = Wide(lines.d[a] + v * lines.d_v[a]) + pixel * Wide(lines.d_u[a]);
+        const Wide t0 = (Wide(query_.lo[a]) - o) / d, t1 = (Wide(query_.hi[a]) - o) / d;
+        const Mask<Wide> still = d == Wide(0.0);
+        const Mask<Wide> outside = still & ((o < Wide(query_.lo[a])) | (o > Wide(query_.hi[a])));
+        near = select(still, near, max(min(t0, t1), near));
+        far = select(still, select(outside, Wide(-kInfinity<double>), far), min(max(t0, t1), far));
+      }
+      store(begin + first, near);
+      store(end + first, far);
+    }
+  }
+
+  void solve_tile(FrustumPart part, double* b, double* free) {
+    const double span = query_.s1 - query_.s0;
+    double begin[kTile][kRow], end[kTile][kRow], least = kInfinity<double>, most = -kInfinity<double>;
+    for (int y = 0; y < kTile; ++y) {
+      clip_row(query_.u0 + part.x * kTile, query_.v0 + part.y * kTile + y + query_.offset_v, begin[y],
+               end[y]);
+      for (int x = 0; x < kRow; ++x)
+        if (begin[y][x] < end[y][x]) least = min(begin[y][x], least), most = max(end[y][x], most);
+    }
+    double s0 = query_.s0 + part.w0 * span, s1 = query_.s0 + part.w1 * span;
+    if (!(least < most) || !(least < s1) || !(s0 < most)) return;
+
+    // the form as numbers of C, the rows of i side by side
+    const int n = shape_.across + 1, d = shape_.along, sheet = (d + 1) * n, row = shape_.row();
+    constexpr int kPad = 16;
+    const int filled = (sheet + kPad - 1) / kPad * kPad;
+    C* const form = reinterpret_cast<C*>(free);
+    const double size = largest(b, shape_.size()), scale = sizeof(T) == 4 ? inverse_power_of_two(size) : 1.0;
+    for (int j = 0; j < n; ++j) {
+      C* at = form + j * filled;
+      for (int k = 0; k <= d; ++k)
+        for (int i = 0; i < n; ++i) *at++ = C(b[j * shape_.sheet() + k * row + i] * scale);
+      for (; at < form + (j + 1) * filled; ++at) *at = C(0);
+    }
+    margin_of_rays_ = margin_ * scale + double(kUnitRoundoff<C>) * (2 * n + 6 * d + 24) * size * scale;
+    scale_ = scale;
+    TileRoots& roots = roots_;
+    for (int i = 0; i < kStreamSize; ++i) roots.hit[i] = false, roots.proved[i] = true, roots.steps[i] = 0;
+    for (int y = 0; y < kTile; ++y) {
+      const C* sums = sum_rows(form, n, filled, y, form + n * filled);
+      solve_row(part, sums, n, y, begin[y], end[y], s0, s1, roots);
+    }
+    found_(context_, part.x, part.y, roots);
+  }
+
+  // The form along one row of pixels.
+  const C* sum_rows(const C* form, int n, int filled, int y, C* sums) const {
+    using R = Native<C>;
+    for (int x = 0; x < filled; x += kWidth<R>) {
+      R sum = R(C(query_.weights_v[0][y])) * load<R>(form + x);
+      for (int j = 1; j < n; ++j) sum = sum + R(C(query_.weights_v[j][y])) * load<R>(form + j * filled + x);
+      store(sums + x, sum);
+    }
+    return sums;
+  }
+
+  // The polynomials of a row of rays over the depths that they have in the domain, and their roots.
+  void solve_row(const FrustumPart& part, const C* sums, int n, int y, const double* begin, const double* end,
+                 double s0, double s1, TileRoots& roots) {
+    using R = Native<C>;
+    const int d = shape_.along;
+    bool active[kRow], any_active = false;
+    double from[kRow], length[kRow];
+    C head[kRow], tail[kRow];
+    C c[kMostFormDegree + 1][kRow];
+    double eps[kRow];
+    bool whole = true;
+    for (int x = 0; x < kRow; ++x) {
+      const double w0 = (begin[x] - s0) / (s1 - s0), w1 = (end[x] - s0) / (s1 - s0);
+      active[x] = begin[x] < end[x] && w0 < 1 && w1 > 0;
+      any_active = any_active || active[x];
+      // first the end is cut off, then the beginning of what is left
+      tail[x] = C(active[x] ? min(w1, 1.0) : 1.0);
+      head[x] = C(active[x] ? max(w0, 0.0) / double(tail[x]) : 0.0);
+      whole = whole && tail[x] == C(1) && head[x] == C(0);
+      from[x] = double(head[x]) * double(tail[x]);
+      length[x] = (1 - double(head[x])) * double(tail[x]);
+      eps[x] = query_.finder.eps * (query_.s1 - query_.s0) / ((s1 - s0) * length[x]);
+      active[x] = active[x] && length[x] > 0;
+      begins_[x] = w0 > 0, ends_[x] = w1 < 1;
+    }
+    if (!any_active) return;
+    for (int first = 0; first < kRow; first += kWidth<R>) {
+      R weights[kMostFormDegree + 1];
+      for (int i = 0; i < n; ++i) {
+        C values[kWidth<R>];
+        for (int l = 0; l < kWidth<R>; ++l) values[l] = C(query_.weights_u[i][first + l]);
+        weights[i] = load<R>(values);
+      }
+      Bezier<R> p;
+      p.degree = d;
+      for (int k = 0; k <= d; ++k) {
+        R sum = weights[0] * R(sums[k * n]);
+        for (int i = 1; i < n; ++i) sum = sum + weights[i] * R(sums[k * n + i]);
+        p.c[k] = sum;
+      }
+      if (!whole) {
+        p.keep_left(load<R>(tail + first));
+        p.keep_right(load<R>(head + first));
+      }
+      for (int k = 0; k <= d; ++k) store(c[k] + first, p.c[k]);
+    }
+    for (int iso = 0; iso < query_.iso_count; ++iso)
+      solve_iso(part, iso, c, active, eps, y, from, length, s0, s1, roots);
+  }
+
+  template <class S>
+  void fill(RowPolynomials<S>& row, const FrustumPart& part, int iso, const C (&c)[kMostFormDegree + 1][kRow],
+            const bool* active, const double* eps) const {
+    row.degree = shape_.along;
+    row.margin = margin_of_rays_ + double(kUnitRoundoff<C>) * 2 * abs(query_.iso[iso] * scale_);
+    row.proves = query_.check_points != nullptr;
+    const C level = C(query_.iso[iso] * scale_);
+    for (int k = 0; k <= row.degree; ++k)
+      for (int x = 0; x < kRow; ++x) row.c[k][x] = S(c[k][x] - level);
+    const auto sign = [iso](const FrustumPart::Sides& sides, bool applies) -> signed char {
+      if (!applies || !(sides.known >> iso & 1)) return 0;
+      return sides.negative >> iso & 1 ? -1 : 1;
+    };
+    for (int x = 0; x < kRow; ++x) {
+      row.active[x] = active[x];
+      row.eps[x] = S(min(eps[x], 0.5));
+      row.before[x] = sign(part.before, !begins_[x]);
+      row.behind[x] = sign(part.behind, !ends_[x]);
+    }
+  }
+
+  void solve_iso(const FrustumPart& part, int iso, const C (&c)[kMostFormDegree + 1][kRow],
+                 const bool* active, const double* eps, int y, const double* from, const double* length,
+                 double s0, double s1, TileRoots& roots) {
+    RowPolynomials<T> row;
+    fill(row, part, iso, c, active, eps);
+    RowRoots found;
+    find_row<Native<T>>(row, query_.finder, active, found);
+    if constexpr (sizeof(T) < sizeof(C)) {
+      bool open[kRow], any_open = false;
+      for (int x = 0; x < kRow; ++x) any_open = (open[x] = active[x] && !found.proved[x]) || any_open;
+      if (query_.redo && any_open) {
+        RowPolynomials<C> precise;
+        fill(precise, part, iso, c, active, eps);
+        find_row<Native<C>>(precise, query_.finder, open, found);
+      }
+    }
+    for (int x = 0; x < kRow; ++x) {
+      if (!active[x]) continue;
+      const int slot = (y / 4 * 4 + x / 4) * 16 + y % 4 * 4 + x % 4;
+      ++counts_.solves;
+      roots.steps[slot] += found.steps[x];
+      const auto depth = [&](double s) { return s0 + (s1 - s0) * (from[x] + s * length[x]); };
+      if (!found.hit[x]) {
+        roots.proved[slot] = roots.proved[slot] && found.proved[x];
+        continue;
+      }
+      const double s = depth(found.s[x]);
+      const bool nearer = !roots.hit[slot] || s < roots.s[slot];
+      // brackets of two iso-values that touch prove nothing of the first
+      const bool apart =
+          !roots.hit[slot] || depth(found.hi[x]) < roots.lo[slot] || depth(found.lo[x]) > roots.hi[slot];
+      roots.proved[slot] = roots.proved[slot] && found.proved[x] && apart;
+      if (!nearer) continue;
+      roots.hit[slot] = true;
+      roots.s[slot] = s;
+      const double slack = 0x1p-49 * (abs(s0) + abs(s1));
+      roots.lo[slot] = depth(found.lo[x]) - slack;
+      roots.hi[slot] = depth(found.hi[x]) + slack;
+      roots.iso[slot] = std::uint8_t(iso);
+      std::uint32_t sides = std::uint32_t(found.negative[x]) << iso;
+      for (int other = 0; other < query_.iso_count; ++other)
+        if (other != iso) sides |= std::uint32_t(query_.iso[iso] < query_.iso[other]) << other;
+      roots.sides[slot] = sides;
+    }
+  }
+
+  const FrustumQuery& query_;
+  const PatchShape shape_;
+  double* const scratch_;
+  void* const registers_;
+  FrustumCounts& counts_;
+  void* const context_;
+  Found* const found_;
+  double margin_ = 0, margin_of_rays_ = 0, scale_ = 1;
+  bool begins_[kRow], ends_[kRow];
+  TileRoots roots_;
+};
+
+}  // namespace isocast::inline ISO_ISA

@@ -1,0 +1,68 @@
+// What a block of the picture asks of the frustum kernels, and what they answer tile by tile.
+#pragma once
+
+#include <isocast/implicit/expression/instruction.h>
+#include <isocast/implicit/frustum/finder.h>
+#include <isocast/implicit/solve/segment.h>
+#include <isocast/ray/pixel_lines.h>
+
+namespace isocast {
+
+/// Pixels on a side of a block.
+inline constexpr int kBlockPixels = 128;
+
+/// Matrices of one degree, row-major (degree + 1) x (degree + 1) unless said otherwise.
+///
+/// points       Chebyshev's in [0, 1]
+/// from_values  their values to Bernstein coefficients
+/// at_checks    (checks + 1) x (degree + 1): Bernstein values at the points of the degree `checks`
+/// halves       coefficients over [0, 1/2] and [1/2, 1]
+struct DegreeTables {
+  int degree;
+  const double *points, *from_values, *at_checks, *halves[2];
+};
+
+/// f along all rays of a block of 8 x 8 tiles between two depths, as a polynomial.
+///
+/// degree      of f, in all
+/// across, along  degrees of its form over the block: in u and v, and in depth
+/// checks      where f is compared with its form: the points of degree `degree`, in each direction; a factor
+///             of `lebesgue` per direction then bounds it between them. null: nothing is proved
+/// slack       what the roundings of positions can change f by
+/// weights     [i][x]: Bernstein values across at the 16 pixel positions of a tile, x + the sample's offset
+/// lines       of the picture; u0, v0: the block's corner in pixels; s0, s1: its depths
+/// lo, hi      the domain
+/// redo        rays whose roots could not be proved are solved again in the precision of their polynomials
+struct FrustumQuery {
+  TapeView tape;
+  double time, iso[kMostIsos];
+  int iso_count, degree;
+  DegreeTables across, along;
+  const double* check_points;
+  double lebesgue, slack;
+  double weights_u[kMostFormDegree + 1][16], weights_v[kMostFormDegree + 1][16];
+  FinderOptions finder;
+  bool redo;
+  PixelLines lines;
+  double u0, v0, s0, s1, offset_u, offset_v;
+  double lo[3], hi[3];
+};
+
+enum class RootState : std::uint8_t { none, proved, undecided };
+
+/// Roots of a tile's rays in View::fill's order: depth s with its bracket. state: none is a proved miss where
+/// the query proves and `hit` is not set.
+struct TileRoots {
+  double s[kStreamSize], lo[kStreamSize], hi[kStreamSize];
+  std::uint32_t sides[kStreamSize];
+  float steps[kStreamSize];
+  std::uint8_t iso[kStreamSize];
+  bool hit[kStreamSize], proved[kStreamSize];
+};
+
+/// Work of a block: evaluations of f, rays whose polynomials were searched.
+struct FrustumCounts {
+  std::int64_t evaluations = 0, solves = 0;
+};
+
+}  // namespace isocast

@@ -1,0 +1,73 @@
+#include <isocast/implicit/frustum/bezier.h>
+#include <isocast/implicit/frustum/collocation.h>
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+
+namespace isocast {
+namespace {
+
+using Wide = long double;
+
+// B_0..B_degree at x, by the recurrence over the degrees.
+template <class T> void fill_bernstein(int degree, T x, T* values) {
+  values[0] = 1;
+  for (int n = 1; n <= degree; ++n) {
+    values[n] = x * values[n - 1];
+    for (int i = n - 1; i >= 1; --i) values[i] = (1 - x) * values[i] + x * values[i - 1];
+    values[0] *= 1 - x;
+  }
+}
+
+Collocation make_collocation(int degree) {
+  const int n = degree + 1;
+  Collocation result;
+  Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic> values(n, n);
+  std::vector<Wide> row(static_cast<std::size_t>(n));
+  for (int j = 0; j < n; ++j) {
+    const Wide x = (1 - std::cos((2 * j + 1) * std::numbers::pi_v<Wide> / (2 * n))) / 2;
+    result.points.push_back(static_cast<double>(x));
+    fill_bernstein<Wide>(degree, static_cast<double>(x), row.data());
+    for (int i = 0; i < n; ++i) values(j, i) = row[static_cast<std::size_t>(i)];
+  }
+  const auto inverse = values.partialPivLu().inverse().eval();
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) result.from_values.push_back(static_cast<double>(inverse(i, j)));
+  // Rivlin: An introduction to the approximation of functions, 1969; rounded up
+  result.lebesgue = 2 / std::numbers::pi * std::log(n) + 1.001;
+  return result;
+}
+
+}  // namespace
+
+const Collocation& collocation(int degree) {
+  static std::array<Collocation, kMostFormDegree + 1> made;
+  static std::array<std::once_flag, kMostFormDegree + 1> flags;
+  const auto d = static_cast<std::size_t>(degree);
+  std::call_once(flags[d], [&] { made[d] = make_collocation(degree); });
+  return made[d];
+}
+
+void bernstein_values(int degree, double x, double* values) { fill_bernstein(degree, x, values); }
+
+std::vector<double> part_matrix(int degree, double from, double to) {
+  // row i is the blossom with degree - i arguments `from` and i arguments `to`
+  const int n = degree + 1;
+  std::vector<double> matrix(static_cast<std::size_t>(n) * n, 0.0);
+  for (int i = 0; i < n; ++i) {
+    double* const row = &matrix[static_cast<std::size_t>(i) * n];
+    row[0] = 1;
+    for (int k = 1; k <= degree; ++k) {
+      const double x = k <= degree - i ? from : to;
+      row[k] = x * row[k - 1];
+      for (int j = k - 1; j >= 1; --j) row[j] = (1 - x) * row[j] + x * row[j - 1];
+      row[0] *= 1 - x;
+    }
+  }
+  return matrix;
+}
+
+}  // namespace isocast

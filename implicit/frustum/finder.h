@@ -1,0 +1,48 @@
+// What the root finders of the frustum form share.
+#pragma once
+
+#include <isocast/implicit/frustum/bezier.h>
+
+namespace isocast {
+
+enum class RootFinder : std::uint8_t { lr, mr, lr_mult, mr_mult, schneider, clip };
+
+/// eps     in the polynomial's parameter
+/// value   stop where |f| < eps^2 of the largest coefficient or the interval is shorter than eps, as the
+///         older methods do, and not by the knots' density
+/// most    steps of a ray: subdivisions, or inserted knots
+struct FinderOptions {
+  RootFinder finder = RootFinder::lr;
+  double eps = 0x1p-11;
+  bool value = false;
+  int most = 64;
+};
+
+}  // namespace isocast
+
+namespace isocast::inline ISO_ISA {
+
+/// The smallest root in [0, 1], one a lane.
+///
+/// open   the steps ended before the search did: s is where it stood
+/// steps  subdivisions or inserted knots
+template <Real R> struct FirstRoot {
+  R s = R(0);
+  Mask<R> hit = Mask<R>(false), open = Mask<R>(false);
+  R steps = R(0);
+
+  void settle(Mask<R> lanes, R at) {
+    s = select(lanes, at, s);
+    hit = hit | lanes;
+  }
+};
+
+/// Newton's step at a root of multiplicity m is m times too short: what to multiply it by, from a value and
+/// two derivatives there, 1 to `most`. The source cites an unpublished report; this rule is ours.
+template <Real R> inline R step_factor(R f, R slope, R bend, R most) {
+  const R m = R(1) / (R(1) - f * bend / (slope * slope));
+  const R whole = floor(m + R(0.5));
+  return select(whole == whole, min(max(whole, R(1)), most), R(1));
+}
+
+}  // namespace isocast::inline ISO_ISA

@@ -1,0 +1,53 @@
+// A polynomial's surface by its frustum form: whole pictures block by block, other rays one by one.
+#pragma once
+
+#include <isocast/implicit/expression/tape.h>
+#include <isocast/implicit/frustum/kernels.h>
+#include <isocast/isa/cpu.h>
+#include <isocast/math/box.h>
+#include <isocast/ray/primary_pass.h>
+
+#include <memory>
+#include <vector>
+
+namespace isocast {
+
+class View;
+
+/// degree     of f in x, y and z, at most kMostPolynomialDegree
+/// finder     its eps is a share of the depth that a block, or a ray on its own, has in the domain
+/// proves     whether hits and misses come with proofs; above degree kMostFormDegree they are undecided then
+struct FrustumOptions {
+  int degree = 0;
+  std::vector<double> iso;
+  double time = 0;
+  FinderOptions finder;
+  FrustumPrecision precision = FrustumPrecision::single;
+  bool proves = true;
+  Isa isa = widest_isa();
+  std::uint16_t object = 0;
+};
+
+/// source  Reimers, Seland: Ray casting algebraic surfaces using the frustum form, Computer Graphics Forum
+///         27(2), 2008. That the form is made block by block, of a degree that suffices there, is divided
+///         down to tiles and cut to the depths where it may vanish, and that its signs prove what they do, is
+///         ours.
+class FrustumTracer {
+ public:
+  FrustumTracer(const Tape& tape, const Box& domain, const FrustumOptions& options);
+
+  /// Null above degree kMostFormDegree; must not outlive the tracer.
+  [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const;
+
+  /// As Surface::first_hit, or Surface::next_hit. Each ray's polynomial comes from values along it; above
+  /// degree kMostFormDegree it comes in parts.
+  void trace(bool next, const RayStream& rays, HitStream& hits, TraceCounts& counts) const;
+
+ private:
+  Tape tape_;
+  Box domain_;
+  FrustumOptions options_;
+  double steepest_;  // no gradient in the domain is longer
+};
+
+}  // namespace isocast

@@ -1,0 +1,38 @@
+#include <isocast/implicit/frustum/kernels.h>
+#include <isocast/isa/cpu.h>
+
+#include <algorithm>
+
+namespace isocast {
+
+#define ISOCAST_FRUSTUM_KERNELS(build)              \
+  namespace build {                                 \
+  extern const FrustumKernels frustum_kernel_table; \
+  }
+ISOCAST_FRUSTUM_KERNELS(scalar)
+ISOCAST_FRUSTUM_KERNELS(sse4)
+ISOCAST_FRUSTUM_KERNELS(avx2)
+ISOCAST_FRUSTUM_KERNELS(avx512)
+#undef ISOCAST_FRUSTUM_KERNELS
+
+const FrustumKernels& frustum_kernels(Isa isa) {
+  switch (isa) {
+    case Isa::avx512: return avx512::frustum_kernel_table;
+    case Isa::avx2: return avx2::frustum_kernel_table;
+    case Isa::sse4: return sse4::frustum_kernel_table;
+    default: return scalar::frustum_kernel_table;
+  }
+}
+
+std::size_t frustum_scratch(const FrustumQuery& query) {
+  const auto size = [](int across, int along) {
+    return std::size_t(across + 1) * static_cast<std::size_t>(along + 1) *
+           static_cast<std::size_t>((across + 8) / 8 * 8);
+  };
+  // the block, a strip and a quarter on each of three levels, and a tile as other numbers
+  const std::size_t patch = size(query.across.degree, query.along.degree),
+                    checks = size(query.degree, query.degree);
+  return 8 * patch + std::max(2 * checks, 2 * patch) + 1024;
+}
+
+}  // namespace isocast

@@ -1,0 +1,121 @@
+// Sixteen rays of a row of pixels: from their polynomials to their first roots.
+#pragma once
+
+#include <isocast/implicit/frustum/find_by_clipping.h>
+#include <isocast/implicit/frustum/find_by_knots.h>
+#include <isocast/implicit/frustum/find_by_parts.h>
+#include <isocast/implicit/frustum/prove_root.h>
+#include <isocast/math/pack.h>
+
+namespace isocast::inline ISO_ISA {
+
+/// Rays that are solved together.
+inline constexpr int kRow = 16;
+
+template <Real R>
+inline FirstRoot<R> find_first(const Bezier<R>& p, const FinderOptions& options, R eps, Mask<R> active) {
+  switch (options.finder) {
+    case RootFinder::mr: return find_by_knots<RootFinder::mr>(p, options, eps, active);
+    case RootFinder::lr_mult: return find_by_parts<RootFinder::lr_mult>(p, options, eps, active);
+    case RootFinder::mr_mult: return find_by_knots<RootFinder::mr_mult>(p, options, eps, active);
+    case RootFinder::schneider: return find_by_parts<RootFinder::schneider>(p, options, eps, active);
+    case RootFinder::clip: return find_by_clipping(p, options, eps, active);
+    default: return find_by_parts<RootFinder::lr>(p, options, eps, active);
+  }
+}
+
+/// Polynomials f - iso of kRow rays over [0, 1] each, scaled by any power of two.
+///
+/// c         [k][ray]: Bernstein coefficients, of which each is off by at most `margin`
+/// eps       in [0, 1]
+/// active    the ray is there
+/// before    the sign in front of 0: 1 for f >= iso, -1 for f < iso, 0 unknown; behind: that behind 1
+/// proves    whether proofs are wanted
+template <class T> struct RowPolynomials {
+  int degree;
+  T c[kMostFormDegree + 1][kRow];
+  T eps[kRow];
+  bool active[kRow];
+  signed char before[kRow], behind[kRow];
+  double margin;
+  bool proves;
+};
+
+/// s with the bracket lo, hi; negative: f < iso in front of it. proved: the hit, or that there is none.
+struct RowRoots {
+  double s[kRow], lo[kRow], hi[kRow];
+  float steps[kRow];
+  bool hit[kRow], proved[kRow], negative[kRow];
+};
+
+template <Real R> inline Mask<R> lanes_where(const bool* flags) {
+  using T = Scalar<R>;
+  T values[kWidth<R>];
+  for (int l = 0; l < kWidth<R>; ++l) values[l] = T(flags[l]);
+  return load<R>(values) != R(0);
+}
+template <Real R> inline void put_where(Mask<R> mask, bool* flags) {
+  const unsigned bits = bits_of(mask);
+  for (int l = 0; l < kWidth<R>; ++l) flags[l] = bits >> l & 1;
+}
+
+/// Roots of the rays that `wanted` names.
+template <Real R>
+inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& options, const bool* wanted,
+                     RowRoots& roots) {
+  using T = Scalar<R>;
+  for (int first = 0; first < kRow; first += kWidth<R>) {
+    bool some = false, all[kWidth<R>];
+    for (int l = 0; l < kWidth<R>; ++l) some = (all[l] = row.active[first + l] && wanted[first + l]) || some;
+    if (!some) continue;
+    Bezier<R> p;
+    p.degree = row.degree;
+    for (int k = 0; k <= row.degree; ++k) p.c[k] = load<R>(row.c[k] + first);
+    const R size = p.largest(), eps = load<R>(row.eps + first);
+    // what dividing it and evaluating it round
+    const R margin = R(T(row.margin)) * R(T(1.0001)) + R(T(11 * row.degree + 8) * kUnitRoundoff<T>) * size;
+    const Mask<R> active = lanes_where<R>(all);
+    const Mask<R> start = negative(p.c[0]);
+    FirstRoot<R> found = find_first(p, options, eps, active);
+
+    // signs that roundings at the ends have hidden
+    T before[kWidth<R>], behind[kWidth<R>];
+    for (int l = 0; l < kWidth<R>; ++l) before[l] = row.before[first + l], behind[l] = row.behind[first + l];
+    const R sign_before = load<R>(before), sign_behind = load<R>(behind);
+    const Mask<R> known = sign_before != R(0);
+    const Mask<R> at_start =
+        active & ((known & (negative(sign_before) != start)) | (!known & (p.c[0] == R(0))));
+    const Mask<R> at_end = active & !found.hit & !at_start & (sign_behind != R(0)) &
+                           (negative(sign_behind) != negative(p.c[p.degree]));
+    const Mask<R> inside = found.hit & !at_start;
+    R s = select(at_start, R(0), select(at_end, R(1), found.s)), lo = max(s - eps, R(0)),
+      hi = min(s + eps, R(1));
+    Mask<R> proved = Mask<R>(false);
+    if (row.proves) {
+      if (any(inside)) {
+        const ProvedRoot<R> root = prove_root(p, s, eps, margin, inside);
+        s = select(inside, root.s, s);
+        lo = select(inside, root.lo, lo), hi = select(inside, root.hi, hi);
+        proved = root.proved;
+      }
+      const Mask<R> misses = active & !found.hit & !at_start & !at_end;
+      if (any(misses)) proved = proved | is_empty(p, margin, misses);
+    }
+    T values[3][kWidth<R>], steps[kWidth<R>];
+    store(values[0], s), store(values[1], lo), store(values[2], hi), store(steps, found.steps);
+    bool hits[kWidth<R>], proofs[kWidth<R>], negatives[kWidth<R>];
+    put_where<R>(inside | at_start | at_end, hits);
+    put_where<R>(proved, proofs);
+    put_where<R>(select(known, negative(sign_before), start), negatives);
+    for (int l = 0; l < kWidth<R>; ++l) {
+      if (!all[l]) continue;
+      const int i = first + l;
+      roots.s[i] = double(values[0][l]), roots.lo[i] = double(values[1][l]),
+      roots.hi[i] = double(values[2][l]);
+      roots.steps[i] = float(steps[l]);
+      roots.hit[i] = hits[l], roots.proved[i] = proofs[l], roots.negative[i] = negatives[l];
+    }
+  }
+}
+
+}  // namespace isocast::inline ISO_ISA
