@@ -15,7 +15,7 @@ namespace isocast {
 
 ImplicitSurface::ImplicitSurface(const Expression& expression, const Domain& domain,
                                  const ImplicitSurfaceOptions& options)
-    : tape_(make_tape(simplify(expression))), degree_(polynomial_degree(simplify(expression))) {
+    : tape_(make_tape(simplify(expression))), degree_(polynomial_degree(expression)) {
   if (options.components) components_.emplace(expression);
   for (int a = 0; a < 3; ++a) {
     bounds_.lo[a] = domain.lo[a];

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <isocast/implicit/expression/degree.h>
+#include <isocast/implicit/expression/simplify.h>
 
 #include <algorithm>
 #include <vector>
@@ -75,7 +76,8 @@ std::optional<std::int64_t> degree_of(const Node& node, const std::vector<std::i
 
 }  // namespace
 
-PolynomialDegree polynomial_degree(const Expression& expression) {
+PolynomialDegree polynomial_degree(const Expression& as_written) {
+  const Expression expression = simplify(as_written);
   // operands come first; what the root does not need does not count
   const std::vector<Node>& nodes = expression.nodes();
   std::vector<bool> needed(nodes.size(), false);

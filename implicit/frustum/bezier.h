@@ -96,6 +96,7 @@ template <Real R> struct Bezier {
   R slope_at(R s) const {
     Bezier slopes;
     slopes.degree = degree - 1;
+    slopes.c[0] = R(0);
     for (int k = 0; k < degree; ++k) slopes.c[k] = R(Scalar<R>(degree)) * (c[k + 1] - c[k]);
     return degree == 1 ? slopes.c[0] : slopes.at(s);
   }

@@ -34,7 +34,11 @@ template <class T, class C> class FrustumBlock {
         registers_(registers),
         counts_(counts),
         context_(context),
-        found_(found) {}
+        found_(found) {
+    for (int i = 0; i <= shape_.across; ++i)
+      for (int x = 0; x < kTile; ++x)
+        weights_u_[i][x] = C(query.weights_u[i][x]), weights_v_[i][x] = C(query.weights_v[i][x]);
+  }
 
   void solve() {
     double* const b = scratch_;
@@ -51,7 +55,7 @@ template <class T, class C> class FrustumBlock {
         counts_.evaluations += (query_.degree + 1) * (query_.degree + 1) * (query_.degree + 1);
       }
     }
-    visit({0, 0, kBlockPixels / kTile, 0, 1, {}, {}}, b, free);
+    visit({0, 0, query_.tiles, 0, 1, {}, {}}, b, free);
   }
 
  private:
@@ -103,14 +107,15 @@ template <class T, class C> class FrustumBlock {
         const auto distance = [&](int k, bool above) {
           return (above ? lo[k] - query_.iso[i] : query_.iso[i] - hi[k]) - margin_;
         };
-        // where the lower hull from one end reaches zero; 2: never
+        // where the hull from one end on reaches zero: 2: never
         const auto reach = [&](int from, int step, bool above) {
-          double s = 2;
-          const double start = distance(from, above);
-          if (!(start > 0)) return 0.0;
-          for (int k = from + step, n = 1; n <= d; k += step, ++n) {
-            const double f = distance(k, above);
-            if (!(f > 0)) s = min(double(n) / d * (start / (start - f)), s);
+          double s = 2, f[kMostFormDegree + 1] = {};
+          for (int n = 0; n <= d; ++n) f[n] = distance(from + n * step, above);
+          if (!(f[0] > 0)) return 0.0;
+          for (int n = 1; n <= d; ++n) {
+            if (f[n] > 0) continue;
+            for (int m = 0; m < n; ++m)
+              if (f[m] > 0) s = min((m + (n - m) * (f[m] / (f[m] - f[n]))) / d, s);
           }
           return s;
         };
@@ -215,8 +220,8 @@ template <class T, class C> class FrustumBlock {
   const C* sum_rows(const C* form, int n, int filled, int y, C* sums) const {
     using R = Native<C>;
     for (int x = 0; x < filled; x += kWidth<R>) {
-      R sum = R(C(query_.weights_v[0][y])) * load<R>(form + x);
-      for (int j = 1; j < n; ++j) sum = sum + R(C(query_.weights_v[j][y])) * load<R>(form + j * filled + x);
+      R sum = R(weights_v_[0][y]) * load<R>(form + x);
+      for (int j = 1; j < n; ++j) sum = sum + R(weights_v_[j][y]) * load<R>(form + j * filled + x);
       store(sums + x, sum);
     }
     return sums;
@@ -227,39 +232,41 @@ template <class T, class C> class FrustumBlock {
                  double s0, double s1, TileRoots& roots) {
     using R = Native<C>;
     const int d = shape_.along;
-    bool active[kRow], any_active = false;
-    double from[kRow], length[kRow];
+    bool active[kRow];
+    double firsts[kRow], lasts[kRow], from[kRow], length[kRow], eps[kRow];
     C head[kRow], tail[kRow];
-    C c[kMostFormDegree + 1][kRow];
-    double eps[kRow];
-    bool whole = true;
-    for (int x = 0; x < kRow; ++x) {
-      const double w0 = (begin[x] - s0) / (s1 - s0), w1 = (end[x] - s0) / (s1 - s0);
-      active[x] = begin[x] < end[x] && w0 < 1 && w1 > 0;
-      any_active = any_active || active[x];
+    bool any_active = false;
+    const Wide per_depth = Wide(1 / (s1 - s0)), zero = Wide(0.0), one = Wide(1.0);
+    const double eps_depth = query_.finder.eps * (query_.s1 - query_.s0) / (s1 - s0);
+    for (int x = 0; x < kRow; x += kWidth<Wide>) {
+      const Wide b = load<Wide>(begin + x), e = load<Wide>(end + x);
+      const Wide w0 = (b - Wide(s0)) * per_depth, w1 = (e - Wide(s0)) * per_depth;
+      const Mask<Wide> there = (b < e) & (w0 < one) & (w1 > zero);
       // first the end is cut off, then the beginning of what is left
-      tail[x] = C(active[x] ? min(w1, 1.0) : 1.0);
-      head[x] = C(active[x] ? max(w0, 0.0) / double(tail[x]) : 0.0);
-      whole = whole && tail[x] == C(1) && head[x] == C(0);
-      from[x] = double(head[x]) * double(tail[x]);
-      length[x] = (1 - double(head[x])) * double(tail[x]);
-      eps[x] = query_.finder.eps * (query_.s1 - query_.s0) / ((s1 - s0) * length[x]);
-      active[x] = active[x] && length[x] > 0;
-      begins_[x] = w0 > 0, ends_[x] = w1 < 1;
+      const Wide last = select(there, min(w1, one), one), first = select(there, max(w0, zero) / last, zero);
+      store(firsts + x, first), store(lasts + x, last);
+      put_where<Wide>(there, active + x);
+      put_where<Wide>(w0 > zero, begins_ + x);
+      put_where<Wide>(w1 < one, ends_ + x);
+      any_active = any_active || any(there);
     }
     if (!any_active) return;
+    bool whole = true;
+    for (int x = 0; x < kRow; ++x) {
+      head[x] = C(firsts[x]), tail[x] = C(lasts[x]);
+      whole = whole && head[x] == C(0) && tail[x] == C(1);
+      from[x] = double(head[x]) * double(tail[x]);
+      length[x] = (1 - double(head[x])) * double(tail[x]);
+      eps[x] = min(eps_depth / length[x], 0.5);
+      active[x] = active[x] && length[x] > 0;
+    }
+    C c[kMostFormDegree + 1][kRow];
     for (int first = 0; first < kRow; first += kWidth<R>) {
-      R weights[kMostFormDegree + 1];
-      for (int i = 0; i < n; ++i) {
-        C values[kWidth<R>];
-        for (int l = 0; l < kWidth<R>; ++l) values[l] = C(query_.weights_u[i][first + l]);
-        weights[i] = load<R>(values);
-      }
       Bezier<R> p;
       p.degree = d;
       for (int k = 0; k <= d; ++k) {
-        R sum = weights[0] * R(sums[k * n]);
-        for (int i = 1; i < n; ++i) sum = sum + weights[i] * R(sums[k * n + i]);
+        R sum = load<R>(weights_u_[0] + first) * R(sums[k * n]);
+        for (int i = 1; i < n; ++i) sum = sum + load<R>(weights_u_[i] + first) * R(sums[k * n + i]);
         p.c[k] = sum;
       }
       if (!whole) {
@@ -287,7 +294,7 @@ template <class T, class C> class FrustumBlock {
     };
     for (int x = 0; x < kRow; ++x) {
       row.active[x] = active[x];
-      row.eps[x] = S(min(eps[x], 0.5));
+      row.eps[x] = S(eps[x]);
       row.before[x] = sign(part.before, !begins_[x]);
       row.behind[x] = sign(part.behind, !ends_[x]);
     }
@@ -347,6 +354,7 @@ template <class T, class C> class FrustumBlock {
   void* const context_;
   Found* const found_;
   double margin_ = 0, margin_of_rays_ = 0, scale_ = 1;
+  C weights_u_[kMostFormDegree + 1][kTile], weights_v_[kMostFormDegree + 1][kTile];
   bool begins_[kRow], ends_[kRow];
   TileRoots roots_;
 };

@@ -8,9 +8,6 @@
 
 namespace isocast {
 
-/// Pixels on a side of a block.
-inline constexpr int kBlockPixels = 128;
-
 /// Matrices of one degree, row-major (degree + 1) x (degree + 1) unless said otherwise.
 ///
 /// points       Chebyshev's in [0, 1]
@@ -22,24 +19,26 @@ struct DegreeTables {
   const double *points, *from_values, *at_checks, *halves[2];
 };
 
-/// f along all rays of a block of 8 x 8 tiles between two depths, as a polynomial.
+/// f along all rays of some tiles of a block between two depths, as a polynomial.
 ///
+/// tiles       on a side: a power of two
 /// degree      of f, in all
 /// across, along  degrees of its form over the block: in u and v, and in depth
 /// checks      where f is compared with its form: the points of degree `degree`, in each direction; a factor
 ///             of `lebesgue` per direction then bounds it between them. null: nothing is proved
-/// slack       what the roundings of positions can change f by
+/// rounding    how far f as it is evaluated in the block can be from f
+/// slack       what the roundings of a ray's points can change f by
 /// weights     [i][x]: Bernstein values across at the 16 pixel positions of a tile, x + the sample's offset
-/// lines       of the picture; u0, v0: the block's corner in pixels; s0, s1: its depths
+/// lines       of the picture; u0, v0: their corner in pixels; s0, s1: its depths
 /// lo, hi      the domain
 /// redo        rays whose roots could not be proved are solved again in the precision of their polynomials
 struct FrustumQuery {
   TapeView tape;
   double time, iso[kMostIsos];
-  int iso_count, degree;
+  int iso_count, degree, tiles;
   DegreeTables across, along;
   const double* check_points;
-  double lebesgue, slack;
+  double lebesgue, rounding, slack;
   double weights_u[kMostFormDegree + 1][16], weights_v[kMostFormDegree + 1][16];
   FinderOptions finder;
   bool redo;

@@ -8,12 +8,16 @@ namespace isocast::inline ISO_ISA {
 /// Where the convex hull of the control points first meets zero; past 1 where it never does.
 template <Real R> inline R hull_entry(const Bezier<R>& p) {
   using T = Scalar<R>;
+  const Mask<R> start = negative(p.c[0]);
   R s = R(2);
-  for (int k = 1; k <= p.degree; ++k) {
-    const Mask<R> across = negative(p.c[k]) != negative(p.c[0]);
-    const R share = p.c[0] / (p.c[0] - p.c[k]);
-    const R here = R(T(k) / T(p.degree)) * select(share == share, share, R(0));
-    s = select(across, min(s, here), s);
+  for (int n = 1; n <= p.degree; ++n) {
+    const Mask<R> across = negative(p.c[n]) != start;
+    if (!any(across)) continue;
+    for (int m = 0; m < n; ++m) {
+      const R share = p.c[m] / (p.c[m] - p.c[n]);
+      const R here = (R(T(m)) + R(T(n - m)) * select(share == share, share, R(0))) / R(T(p.degree));
+      s = select(across & (negative(p.c[m]) == start), min(s, here), s);
+    }
   }
   return s;
 }

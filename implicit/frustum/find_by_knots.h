@@ -45,15 +45,15 @@ template <Real R, int kMostKnots> struct Spline {
 template <RootFinder kFinder, Real R>
 inline FirstRoot<R> find_by_knots(const Bezier<R>& whole, const FinderOptions& options, R eps,
                                   Mask<R> active) {
-  constexpr int kMostKnots = 64;
+  constexpr int kMostKnots = 192;
   const R small_value = eps * eps * whole.largest(), degree = R(Scalar<R>(whole.degree));
-  const int most = options.most < kMostKnots ? options.most : kMostKnots;
+  const int most = 3 * options.most;
   FirstRoot<R> root;
   Spline<R, kMostKnots> spline(whole);
   R last_x = R(-1);
   for (int step = 0; any(active); ++step) {
     Mask<R> found = Mask<R>(false);
-    R x = R(0), near = R(0), far = R(0), here = R(0), mult = R(1), smallest = R(0);
+    R x = R(0), near = R(0), far = R(0), here = R(0), mult = R(1);
     for (int k = 1; k <= spline.last; ++k) {
       const Mask<R> first = active & (negative(spline.c[k - 1]) != negative(spline.c[k])) & !found;
       if (!any(first)) continue;
@@ -64,7 +64,6 @@ inline FirstRoot<R> find_by_knots(const Bezier<R>& whole, const FinderOptions& o
       x = select(first, here, x);
       near = select(first, spline.t[k + 1], near);
       far = select(first, spline.t[k + spline.degree - 1], far);
-      smallest = select(first, min(abs(a), abs(b)), smallest);
       if constexpr (kFinder == RootFinder::mr_mult) {
         // value and derivatives of the polygon beside the last knot
         const bool inner = spline.last > 1;
@@ -79,7 +78,7 @@ inline FirstRoot<R> find_by_knots(const Bezier<R>& whole, const FinderOptions& o
     active = active & found;
     R density = max(abs(x - near), abs(x - far));
     Mask<R> stops = density < eps;
-    if (options.value) stops = (abs(far - near) < eps) | (smallest < small_value);
+    if (options.value) stops = abs(whole.at(x)) < small_value;
     if (whole.degree == 1) stops = Mask<R>(true);
     root.settle(active & stops, x);
     active = active & !stops;

@@ -1,6 +1,7 @@
 #include <isocast/implicit/frustum/collocation.h>
 #include <isocast/implicit/frustum/depth_range.h>
 #include <isocast/implicit/frustum/frustum_pass.h>
+#include <isocast/implicit/frustum/rounding_bound.h>
 #include <isocast/implicit/register_memory.h>
 #include <isocast/render/camera.h>
 
@@ -9,8 +10,21 @@
 namespace isocast {
 namespace {
 
-// The degree in u and v that follows f over a block closely enough.
-int degree_across(int degree) { return std::min(degree, 12); }
+// The degree in u and v that follows f over the tiles of a form.
+int degree_across(int degree) { return degree <= 8 ? degree : degree <= 14 ? std::min(degree, 10) : 12; }
+
+// Pixels that the domain is across, about.
+double pixels_across(const PixelLines& lines, const Box& domain) {
+  Double3 middle = domain.center(), o, d;
+  double square_o = 0, square_d = 0;
+  for (int a = 0; a < 3; ++a) {
+    o[a] = lines.o_u[a], d[a] = lines.d_u[a];
+    square_o += lines.o_u[a] * lines.o_u[a], square_d += lines.d_u[a] * lines.d_u[a];
+    middle[a] -= lines.o[a];
+  }
+  const double pixel = std::sqrt(square_o) + std::sqrt(square_d) * length(middle);
+  return domain.diagonal() / pixel;
+}
 
 double* scratch_of(std::size_t count) {
   thread_local std::vector<double> memory;
@@ -19,15 +33,35 @@ double* scratch_of(std::size_t count) {
   return memory.data() + (64 - address % 64) % 64 / sizeof(double);
 }
 
+// A box that holds all points of a block.
+Box box_of(const FrustumQuery& query) {
+  const double pixels = 16 * query.tiles;
+  Box box;
+  for (int corner = 0; corner < 8; ++corner) {
+    const double u = query.u0 + (corner & 1 ? pixels : 0), v = query.v0 + (corner & 2 ? pixels : 0),
+                 s = corner & 4 ? query.s1 : query.s0;
+    Double3 p;
+    for (int a = 0; a < 3; ++a) {
+      const PixelLines& l = query.lines;
+      p[a] = l.o[a] + u * l.o_u[a] + v * l.o_v[a] + s * (l.d[a] + u * l.d_u[a] + v * l.d_v[a]);
+    }
+    box.add(p);
+  }
+  const double room = 1e-9 * box.diagonal();
+  for (int a = 0; a < 3; ++a) box.lo[a] -= room, box.hi[a] += room;
+  return box;
+}
+
 // Roots of tiles become hits.
 struct Receiver {
   const PixelLines& lines;
   const FrustumOptions& options;
   BlockHits& hits;
   double u0, v0, offset_u, offset_v;
+  int first_x, first_y;
 
   void take(int x, int y, const TileRoots& roots) const {
-    HitStream& tile = hits.tile(x, y);
+    HitStream& tile = hits.tile(first_x + x, first_y + y);
     for (int i = 0; i < kStreamSize; ++i) {
       tile.cost[i] += static_cast<std::uint32_t>(roots.steps[i]);
       if (!roots.hit[i]) {
@@ -60,39 +94,43 @@ struct Receiver {
 
 }  // namespace
 
-FrustumPass::FrustumPass(const Tape& tape, const Box& domain, const FrustumOptions& options, double steepest,
-                         const View& view)
+int FrustumPass::tiles_of_form(const PixelLines& lines, const Box& domain, int degree) {
+  // high powers grow fast outside the domain: the less of that a form holds, the more digits are left
+  const double most = pixels_across(lines, domain) / (degree <= 6 ? 7 : 14);
+  int tiles = kBlockTiles;
+  while (tiles > 0 && 16 * tiles > most) tiles /= 2;
+  return tiles;
+}
+
+FrustumPass::FrustumPass(const Tape& tape, const Box& domain, const FrustumOptions& options, const View& view)
     : tape_(tape),
       domain_(domain),
       options_(options),
-      steepest_(steepest),
       lines_(view.lines()),
+      tiles_(tiles_of_form(lines_, domain, options.degree)),
       across_(degree_across(options.degree), options.degree),
-      along_(options.degree, options.degree) {}
+      along_(options.degree, options.degree) {
+  double reach = 0;
+  for (int a = 0; a < 3; ++a)
+    reach = std::max(reach, std::abs(lines_.o[a]) + std::max(std::abs(domain.lo[a]), std::abs(domain.hi[a])));
+  position_slack_ = 0x1p-48 * reach;
+  slack_ = rounding_bound(tape, domain, options.time, position_slack_);
+}
 
-void FrustumPass::first_hits(int bx, int by, double offset_u, double offset_v, BlockHits& hits,
-                             TraceCounts& counts) const {
+FrustumQuery FrustumPass::make_query(double offset_u, double offset_v) const {
   FrustumQuery query = {};
-  query.u0 = bx * kBlockPixels, query.v0 = by * kBlockPixels;
-  const auto depths =
-      depth_range(lines_, query.u0, query.u0 + kBlockPixels, query.v0, query.v0 + kBlockPixels, domain_);
-  if (!depths) return;
-  query.s0 = depths->near, query.s1 = depths->far;
   query.tape = tape_.view();
   query.time = options_.time;
   query.iso_count = static_cast<int>(options_.iso.size());
   std::copy(options_.iso.begin(), options_.iso.end(), query.iso);
   query.degree = options_.degree;
+  query.tiles = tiles_;
   query.across = across_.view(), query.along = along_.view();
   const Collocation& checks = collocation(options_.degree);
   query.check_points = options_.proves ? checks.points.data() : nullptr;
   query.lebesgue = checks.lebesgue;
-  double reach = 0;
-  for (int a = 0; a < 3; ++a) {
-    query.lo[a] = domain_.lo[a], query.hi[a] = domain_.hi[a];
-    reach = std::max(reach, std::abs(lines_.o[a]) + std::max(std::abs(query.lo[a]), std::abs(query.hi[a])));
-  }
-  query.slack = 0x1p-48 * reach * steepest_;
+  for (int a = 0; a < 3; ++a) query.lo[a] = domain_.lo[a], query.hi[a] = domain_.hi[a];
+  query.slack = slack_;
   query.finder = options_.finder;
   query.redo = options_.precision == FrustumPrecision::mixed;
   query.lines = lines_;
@@ -104,15 +142,31 @@ void FrustumPass::first_hits(int bx, int by, double offset_u, double offset_v, B
     bernstein_values(n, (x + offset_v) / 16, v);
     for (int i = 0; i <= n; ++i) query.weights_u[i][x] = u[i], query.weights_v[i][x] = v[i];
   }
+  return query;
+}
 
+void FrustumPass::first_hits(int bx, int by, double offset_u, double offset_v, BlockHits& hits,
+                             TraceCounts& counts) const {
+  FrustumQuery query = make_query(offset_u, offset_v);
   const FrustumKernels& kernels = frustum_kernels(options_.isa);
-  const Receiver receiver{lines_, options_, hits, query.u0, query.v0, offset_u, offset_v};
   FrustumCounts work;
-  kernels.solve_block[static_cast<int>(options_.precision)](
-      query, scratch_of(frustum_scratch(query)), registers_of(tape_.registers * kernels.register_bytes), work,
-      const_cast<Receiver*>(&receiver), [](void* context, int x, int y, const TileRoots& roots) {
-        static_cast<const Receiver*>(context)->take(x, y, roots);
-      });
+  for (int y = 0; y < kBlockTiles; y += tiles_)
+    for (int x = 0; x < kBlockTiles; x += tiles_) {
+      const double pixels = 16 * tiles_;
+      query.u0 = 16 * (bx * kBlockTiles + x), query.v0 = 16 * (by * kBlockTiles + y);
+      const auto depths =
+          depth_range(lines_, query.u0, query.u0 + pixels, query.v0, query.v0 + pixels, domain_);
+      if (!depths) continue;
+      query.s0 = depths->near, query.s1 = depths->far;
+      if (options_.proves)
+        query.rounding = rounding_bound(tape_, box_of(query), options_.time, position_slack_);
+      const Receiver receiver{lines_, options_, hits, query.u0, query.v0, offset_u, offset_v, x, y};
+      kernels.solve_block[static_cast<int>(options_.precision)](
+          query, scratch_of(frustum_scratch(query)), registers_of(tape_.registers * kernels.register_bytes),
+          work, const_cast<Receiver*>(&receiver), [](void* context, int tx, int ty, const TileRoots& roots) {
+            static_cast<const Receiver*>(context)->take(tx, ty, roots);
+          });
+    }
   counts.evaluations += work.evaluations;
   counts.solves += work.solves;
 }

@@ -8,19 +8,25 @@ namespace isocast {
 
 class FrustumPass final : public PrimaryPass {
  public:
-  /// steepest  no gradient of f in the domain is longer
-  FrustumPass(const Tape& tape, const Box& domain, const FrustumOptions& options, double steepest,
-              const View& view);
+  /// Tiles on a side that one form is good for; 0 where the domain is seen so small that rays do better each
+  /// for itself.
+  [[nodiscard]] static int tiles_of_form(const PixelLines& lines, const Box& domain, int degree);
+
+  /// tape  must outlive the pass; tiles_of_form is not 0
+  FrustumPass(const Tape& tape, const Box& domain, const FrustumOptions& options, const View& view);
 
   void first_hits(int bx, int by, double offset_u, double offset_v, BlockHits& hits,
                   TraceCounts& counts) const override;
 
  private:
+  [[nodiscard]] FrustumQuery make_query(double offset_u, double offset_v) const;
+
   const Tape& tape_;
   Box domain_;
   FrustumOptions options_;
-  double steepest_;
   PixelLines lines_;
+  int tiles_;                      // on a side, with a form of their own
+  double position_slack_, slack_;  // what roundings of a ray's points are, and do to f
   DegreeMatrices across_, along_;
 };
 

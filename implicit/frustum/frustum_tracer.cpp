@@ -4,28 +4,12 @@
 #include <isocast/implicit/frustum/frustum_tracer.h>
 #include <isocast/implicit/ray_segments.h>
 #include <isocast/implicit/register_memory.h>
-#include <isocast/implicit/solve/inclusion.h>
+#include <isocast/render/camera.h>
 
 #include <cmath>
 
 namespace isocast {
 namespace {
-
-// A bound of the gradient over a box, infinite where there is none.
-double steepest_in(const Tape& tape, const Box& box, double time) {
-  using F = Gradient<Interval<double>>;
-  auto* const registers = static_cast<F*>(registers_of(tape.registers * sizeof(F)));
-  F inputs[4];
-  for (int a = 0; a < 3; ++a) {
-    inputs[a] = F(Interval<double>(box.lo[a], box.hi[a]));
-    (a == 0 ? inputs[a].dx : a == 1 ? inputs[a].dy : inputs[a].dz) = Interval<double>(1.0, 1.0);
-  }
-  inputs[3] = constant_as({time, true}, F{});
-  const F f = evaluate(tape.view(), inputs, registers);
-  double sum = 0;
-  for (const Interval<double>& d : {f.dx, f.dy, f.dz}) sum += std::max(std::abs(d.lo), std::abs(d.hi));
-  return sum < Box::inf ? sum : Box::inf;
-}
 
 // Parts of a ray that a form of the largest degree follows closely.
 int parts_of(int degree) { return degree <= kMostFormDegree ? 1 : (degree + 7) / 8; }
@@ -33,13 +17,15 @@ int parts_of(int degree) { return degree <= kMostFormDegree ? 1 : (degree + 7) /
 }  // namespace
 
 FrustumTracer::FrustumTracer(const Tape& tape, const Box& domain, const FrustumOptions& options)
-    : tape_(tape), domain_(domain), options_(options), steepest_(steepest_in(tape, domain, options.time)) {
+    : tape_(tape), domain_(domain), options_(options) {
   options_.degree = std::max(1, options_.degree);
 }
 
 std::unique_ptr<PrimaryPass> FrustumTracer::primary(const View& view) const {
-  if (options_.degree > kMostFormDegree) return nullptr;
-  return std::make_unique<FrustumPass>(tape_, domain_, options_, steepest_, view);
+  if (options_.degree > kMostFormDegree ||
+      FrustumPass::tiles_of_form(view.lines(), domain_, options_.degree) == 0)
+    return nullptr;
+  return std::make_unique<FrustumPass>(tape_, domain_, options_, view);
 }
 
 void FrustumTracer::trace(bool next, const RayStream& rays, HitStream& hits, TraceCounts& counts) const {

@@ -36,7 +36,8 @@ class FrustumTracer {
  public:
   FrustumTracer(const Tape& tape, const Box& domain, const FrustumOptions& options);
 
-  /// Null above degree kMostFormDegree; must not outlive the tracer.
+  /// Null above degree kMostFormDegree, and where the domain is seen too small for forms; must not outlive
+  /// the tracer.
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const;
 
   /// As Surface::first_hit, or Surface::next_hit. Each ray's polynomial comes from values along it; above
@@ -47,7 +48,6 @@ class FrustumTracer {
   Tape tape_;
   Box domain_;
   FrustumOptions options_;
-  double steepest_;  // no gradient in the domain is longer
 };
 
 }  // namespace isocast

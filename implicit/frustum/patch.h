@@ -47,19 +47,20 @@ inline void combine_in_rows(double* out, int out_row, const double* in, int in_r
     }
 }
 
-/// F at the points (u, v, depth) of a grid of the block, packs of i filled up with the last point:
-/// values[j][k][i], rows of `row`. spread is what F's inputs are widened by.
-template <class F, class Store>
+/// f at the points (u, v, depth) of a grid of the block, rows of i filled up with the last point:
+/// values[j][k][i], rows of `row`; put takes packs of them.
+template <class Put>
 inline void evaluate_grid(const FrustumQuery& query, const double* across, int n_across, const double* along,
-                          int n_along, int row, double spread, void* registers, Store put) {
-  constexpr int kPacks = sizeof(F) <= sizeof(Wide) ? 16 : 4;
+                          int n_along, int row, void* registers, Put put) {
+  constexpr int kPacks = 16;
   const PixelLines& lines = query.lines;
-  F inputs[4 * kPacks];
+  const double pixels = 16 * query.tiles;
+  Wide inputs[4 * kPacks];
   int waiting = 0, first = 0;
   const int packs_in_row = row / kWidth<Wide>, packs = n_across * n_along * packs_in_row;
   const auto flush = [&] {
-    const F* const f =
-        evaluate_some<kPacks>(query.tape, static_cast<const F*>(inputs), static_cast<F*>(registers), waiting);
+    const Wide* const f = evaluate_some<kPacks>(query.tape, static_cast<const Wide*>(inputs),
+                                                static_cast<Wide*>(registers), waiting);
     for (int p = 0; p < waiting; ++p) put((first + p) * kWidth<Wide>, f[p]);
     first += waiting;
     waiting = 0;
@@ -69,17 +70,16 @@ inline void evaluate_grid(const FrustumQuery& query, const double* across, int n
     double u[kWidth<Wide>];
     for (int l = 0; l < kWidth<Wide>; ++l) {
       const int i = pack % packs_in_row * kWidth<Wide> + l;
-      u[l] = query.u0 + kBlockPixels * across[i < n_across ? i : n_across - 1];
+      u[l] = query.u0 + pixels * across[i < n_across ? i : n_across - 1];
     }
-    const double v = query.v0 + kBlockPixels * across[j];
+    const double v = query.v0 + pixels * across[j];
     const Wide s = Wide(query.s0 + (query.s1 - query.s0) * along[k]), pixel = load<Wide>(u);
     for (int a = 0; a < 3; ++a) {
       const Wide o = Wide(lines.o[a] + v * lines.o_v[a]) + pixel * Wide(lines.o_u[a]),
-                 d = Wide(lines.d[a] + v * lines.d_v[a]) + pixel * Wide(lines.d_u[a]), p = o + s * d;
-      if constexpr (Real<F>) inputs[a * kPacks + waiting] = p;
-      else inputs[a * kPacks + waiting] = F(p - Wide(spread), p + Wide(spread));
+                 d = Wide(lines.d[a] + v * lines.d_v[a]) + pixel * Wide(lines.d_u[a]);
+      inputs[a * kPacks + waiting] = o + s * d;
     }
-    inputs[3 * kPacks + waiting] = constant_as({query.time, true}, F{});
+    inputs[3 * kPacks + waiting] = Wide(query.time);
     if (++waiting == kPacks) flush();
   }
   if (waiting) flush();
@@ -91,8 +91,8 @@ inline void interpolate(const FrustumQuery& query, double* b, double* scratch, v
   const PatchShape shape{uv.degree, w.degree};
   double* const other = scratch + shape.size();
   const int n = uv.degree + 1, m = w.degree + 1, row = shape.row(), sheet = shape.sheet();
-  evaluate_grid<Wide>(query, uv.points, n, w.points, m, row, 0, registers,
-                      [scratch](int at, Wide f) { store(scratch + at, f); });
+  evaluate_grid(query, uv.points, n, w.points, m, row, registers,
+                [scratch](int at, Wide f) { store(scratch + at, f); });
   combine_in_rows(other, row, scratch, row, uv.from_values, n, n, n * m);
   for (int j = 0; j < n; ++j) combine(scratch + j * sheet, other + j * sheet, w.from_values, m, m, row);
   combine(b, scratch, uv.from_values, n, n, sheet);
@@ -122,27 +122,21 @@ inline double form_error(const FrustumQuery& query, const double* b, double* scr
             row);
   combine(scratch, other, uv.at_checks, n, uv.degree + 1, checks.sheet());
 
-  double reach = 0;
-  for (int a = 0; a < 3; ++a)
-    reach = max(reach, abs(query.lines.o[a]) + abs(query.s1) * abs(query.lines.d[a]) + abs(query.lo[a]) +
-                           abs(query.hi[a]));
   Wide off = Wide(0);
-  evaluate_grid<Interval<Wide>>(query, query.check_points, n, query.check_points, n, row, 0x1p-48 * reach,
-                                registers, [&](int at, const Interval<Wide>& f) {
-                                  double lo[kWidth<Wide>], hi[kWidth<Wide>], far[kWidth<Wide>];
-                                  store(lo, f.lo), store(hi, f.hi);
-                                  for (int l = 0; l < kWidth<Wide>; ++l) {
-                                    const double form = scratch[at + l];
-                                    far[l] = (at + l) % row < n ? max(hi[l] - form, form - lo[l]) : 0;
-                                    if (!(far[l] < kInfinity<double>)) far[l] = kInfinity<double>;
-                                  }
-                                  off = max(off, load<Wide>(far));
-                                });
+  evaluate_grid(query, query.check_points, n, query.check_points, n, row, registers, [&](int at, Wide f) {
+    const Wide far = abs(load<Wide>(scratch + at) - f);
+    double lanes[kWidth<Wide>];
+    store(lanes, select(far < Wide(kInfinity<double>), far, Wide(kInfinity<double>)));
+    // not what fills up the rows
+    for (int l = 0; l < kWidth<Wide>; ++l)
+      if ((at + l) % row >= n) lanes[l] = 0;
+    off = max(off, load<Wide>(lanes));
+  });
   double lanes[kWidth<Wide>], most = 0;
   store(lanes, off);
   for (const double lane : lanes) most = max(lane, most);
   const double roundings = 0x1p-50 * (2 * uv.degree + w.degree + 8) * largest(b, shape.size());
-  return (most + roundings) * query.lebesgue * query.lebesgue * query.lebesgue * 1.001;
+  return (most + query.rounding + roundings) * query.lebesgue * query.lebesgue * query.lebesgue * 1.001;
 }
 
 }  // namespace isocast::inline ISO_ISA

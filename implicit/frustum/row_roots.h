@@ -70,7 +70,8 @@ inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& 
     if (!some) continue;
     Bezier<R> p;
     p.degree = row.degree;
-    for (int k = 0; k <= row.degree; ++k) p.c[k] = load<R>(row.c[k] + first);
+    p.c[0] = load<R>(row.c[0] + first);
+    for (int k = 1; k <= row.degree; ++k) p.c[k] = load<R>(row.c[k] + first);
     const R size = p.largest(), eps = load<R>(row.eps + first);
     // what dividing it and evaluating it round
     const R margin = R(T(row.margin)) * R(T(1.0001)) + R(T(11 * row.degree + 8) * kUnitRoundoff<T>) * size;
@@ -84,8 +85,8 @@ inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& 
     const R sign_before = load<R>(before), sign_behind = load<R>(behind);
     const Mask<R> known = sign_before != R(0);
     const Mask<R> at_start =
-        active & ((known & (negative(sign_before) != start)) | (!known & (p.c[0] == R(0))));
-    const Mask<R> at_end = active & !found.hit & !at_start & (sign_behind != R(0)) &
+        active & ((known & (negative(sign_before) != start)) | ((!known) & (p.c[0] == R(0))));
+    const Mask<R> at_end = (active & !(found.hit | at_start)) & (sign_behind != R(0)) &
                            (negative(sign_behind) != negative(p.c[p.degree]));
     const Mask<R> inside = found.hit & !at_start;
     R s = select(at_start, R(0), select(at_end, R(1), found.s)), lo = max(s - eps, R(0)),
@@ -98,7 +99,7 @@ inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& 
         lo = select(inside, root.lo, lo), hi = select(inside, root.hi, hi);
         proved = root.proved;
       }
-      const Mask<R> misses = active & !found.hit & !at_start & !at_end;
+      const Mask<R> misses = active & !(found.hit | at_start | at_end);
       if (any(misses)) proved = proved | is_empty(p, margin, misses);
     }
     T values[3][kWidth<R>], steps[kWidth<R>];
