@@ -4,6 +4,7 @@
 #include <isocast/math/box.h>
 #include <isocast/ray/stream.h>
 #include <isocast/ray/tile.h>
+#include <isocast/render/kernels.h>
 
 #include <optional>
 
@@ -56,6 +57,7 @@ class View {
   int width_, height_;
   bool orthographic_;
   Double3 eye_, forward_, right_, down_;  // right_ and down_: one pixel
+  RayFrame frame_;
 };
 
 }  // namespace isocast
