@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/volume/cell/cell.h>
+#include <isocast/volume/cell_root.h>
 #include <isocast/volume/march.h>
 #include <isocast/volume/query.h>
 #include <isocast/volume/sample.h>
@@ -173,24 +174,16 @@ inline Nearest<T> solve_cells(const VolumeQuery& query, const Grid& grid, const 
 template <class T, class Grid>
 inline void record_hit(const VolumeQuery& query, const Grid& grid, const Lane<Grid>& lane,
                        const Nearest<T>& nearest, int l, const RayStream& rays, HitStream& hits, int i) {
-  const double t_in = lane.walk.t_in, span = lane.walk.t_out() - t_in, t = t_in + double(nearest.s[l]) * span;
-  if (!(t <= rays.t_max[i] && t < hits.t[i])) return;
-  const bool undecided = (nearest.undecided >> l & 1) || (query.proves && lane.doubt),
-             behind = nearest.behind >> l & 1;
-  hits.t[i] = t;
-  // what the roundings of t can make
-  const double slack = query.proves ? 0x1p-50 * max(abs(t_in), abs(t_in + span)) : 0;
-  hits.t_lo[i] = t_in + double(nearest.s_lo[l]) * span - slack;
-  hits.t_hi[i] = t_in + double(nearest.s_hi[l]) * span + slack;
-  hits.s[i] = nearest.s[l];
-  hits.s_hi[i] = nearest.s_hi[l];
-  for (int a = 0; a < 3; ++a) hits.cell[a][i] = lane.walk.cell()[a];
-  hits.iso[i] = std::uint8_t(nearest.iso[l]);
-  hits.object[i] = query.object;
-  hits.certificate[i] = undecided      ? Certificate::undecided
-                        : query.proves ? Certificate::proved_hit
-                                       : Certificate::no_proof;
-  hits.sides[i] = sides_in_front<T>(query, grid, lane, nearest.iso[l], behind, undecided);
+  const std::int32_t(&cell)[3] = lane.walk.cell();
+  const CellRoot root = {
+      lane.walk.t_in,          lane.walk.t_out(),
+      double(nearest.s[l]),    double(nearest.s_lo[l]),
+      double(nearest.s_hi[l]), {cell[0], cell[1], cell[2]},
+      nearest.iso[l],          (nearest.undecided >> l & 1) || (query.proves && lane.doubt)};
+  if (is_nearer(root, rays, hits, i))
+    write_hit(query, root,
+              sides_in_front<T>(query, grid, lane, root.iso, nearest.behind >> l & 1, root.undecided), hits,
+              i);
 }
 
 /// Traces the lanes of `alive` to their first root, or the end; `slot` is lane 0's place in the streams.

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/volume/dress.h>
+#include <isocast/volume/primary/volume_pass.h>
 #include <isocast/volume/sample.h>
 #include <isocast/volume/volume_surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -133,6 +135,7 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
                                  {(b.hi[0] + 1) * size, (b.hi[1] + 1) * size, (b.hi[2] + 1) * size});
     }
   }
+  if (macrocells_) choose_masks();
   query_.method = options.method.method;
   query_.options = options.method.options;
   query_.proves = options.method.proves();
@@ -140,6 +143,25 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
   query_.object = options.object;
   normals_ = options.normals;
   query_.cells = &cell_kernels(options.isa);
+  isa_ = options.isa;
+}
+
+// Those of iso-values that stay are kept.
+void VolumeSurface::choose_masks() {
+  std::vector<std::shared_ptr<const IsoMasks>> masks;
+  for (int i = 0; i < query_.iso_count; ++i) {
+    const double key = query_.key[i];
+    const auto kept = std::ranges::find_if(masks_, [&](const auto& m) { return m->key() == key; });
+    masks.push_back(kept != masks_.end() ? *kept : std::make_shared<const IsoMasks>(query_.grid, key));
+  }
+  masks_ = std::move(masks);
+}
+
+std::unique_ptr<PrimaryPass> VolumeSurface::primary(const View& view) const {
+  if (!macrocells_ || query_.proves) return nullptr;
+  std::optional<BricksInView> bricks = find_bricks(query_, volume_->world_from_grid, view);
+  if (!bricks) return nullptr;
+  return std::make_unique<VolumePass>(query_, masks_, view, std::move(*bricks), isa_);
 }
 
 void VolumeSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {

@@ -42,6 +42,8 @@ class View {
   /// Unit vector from the camera into the scene.
   [[nodiscard]] const Double3& forward() const { return forward_; }
 
+  [[nodiscard]] const RayFrame& ray_frame() const { return frame_; }
+
   /// Rays of tile (tx, ty) through (x + offset_u, y + offset_v) of each pixel (0.5: the centre), first row on
   /// top, in packets of 4x4 pixels; slots outside the picture are empty. Directions have unit length, t_min
   /// is 0. id is x + y * width.

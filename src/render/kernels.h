@@ -2,18 +2,11 @@
 #pragma once
 
 #include <isocast/ray/hit.h>
+#include <isocast/render/primary_ray.h>
 
 namespace isocast {
 
 enum class Isa : std::uint8_t;  // isa/cpu.h
-
-/// A picture as primary rays see it: the pixel (u, v) lies at corner + u right + v down (perspective:
-/// relative to the eye), and `fixed` is the direction of all rays (orthographic) or the eye.
-struct RayFrame {
-  double corner[3], right[3], down[3], fixed[3];
-  int width, height;
-  bool orthographic;
-};
 
 /// fill_rays  View::fill
 /// light      for the hits: the cosine of the angle of incidence, and the highlight (incidence in

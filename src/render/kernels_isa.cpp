@@ -22,14 +22,8 @@ constexpr double kAcross[kPacketSize] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 
 void fill_packet(const RayFrame& frame, int x, int y, double offset_u, double offset_v, int i,
                  RayStream& rays) {
   for (int l = 0; l < kPacketSize; l += kWidth<R>, i += kWidth<R>) {
-    // the point on the image plane
     const R u = (R(x) + load<R>(kAcross + l)) + R(offset_u), v = (R(y) + load<R>(kDown + l)) + R(offset_v);
-    const auto at = [&](int a) { return R(frame.corner[a]) + u * R(frame.right[a]) + v * R(frame.down[a]); };
-    const Vec3<R> point = {at(0), at(1), at(2)},
-                  fixed = {R(frame.fixed[0]), R(frame.fixed[1]), R(frame.fixed[2])};
-    const R scale = R(1) / sqrt(dot(point, point));
-    const Vec3<R> towards = {scale * point.x, scale * point.y, scale * point.z};
-    const Vec3<R>&o = frame.orthographic ? point : fixed, &d = frame.orthographic ? fixed : towards;
+    const auto [o, d] = primary_ray(frame, u, v);
     store(rays.ox + i, o.x);
     store(rays.oy + i, o.y);
     store(rays.oz + i, o.z);

@@ -1,0 +1,141 @@
+// The rays of small windows of a patch that cross one cell.
+#pragma once
+
+#include <isocast/volume/primary/pairs.h>
+
+namespace isocast::inline ISO_ISA {
+
+/// A window is as large as a register of doubles: kColumns x kRows pixels.
+template <Real R> inline constexpr int kColumns = kWidth<R> < 4 ? kWidth<R> : 4;
+template <Real R> inline constexpr int kRows = kWidth<R> / kColumns<R>;
+
+/// Values of the rays of the window whose first ray is number `at`.
+template <Real R> inline R load_window(const double* rays, int at) {
+#ifdef __AVX512DQ__
+  const __m256d first = _mm256_loadu_pd(rays + at), second = _mm256_loadu_pd(rays + at + kPatchPitch);
+  return R(_mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(first), second, 1));
+#else
+  return load<R>(rays + at);
+#endif
+}
+
+/// Writes the lanes of `bits` one behind the other; up to kWidth<R> numbers behind `to` are overwritten.
+template <Real R> inline void compress(double* to, R v, unsigned bits) {
+#ifdef __AVX512DQ__
+  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(__mmask8(bits), v.v));
+#else
+  double lanes[kWidth<R>];
+  store(lanes, v);
+  for (; bits; bits &= bits - 1) *to++ = lanes[__builtin_ctz(bits)];
+#endif
+}
+template <Real R> inline void compress(float* to, R v, unsigned bits) {
+#ifdef __AVX512DQ__
+  _mm256_storeu_ps(to, _mm256_maskz_compress_ps(__mmask8(bits), _mm512_maskz_cvtpd_ps(0xff, v.v)));
+#else
+  double lanes[kWidth<R>];
+  store(lanes, v);
+  for (; bits; bits &= bits - 1) *to++ = float(lanes[__builtin_ctz(bits)]);
+#endif
+}
+
+/// A cell on its way into the queue. f: corners minus iso.
+template <class T> struct CellToDraw {
+  std::int32_t at[3];
+  int iso;
+  FetchedCell state;
+  const T* f;
+};
+
+/// Where a window's rays enter and leave a cell; `axis` as in PairQueue.
+template <Real R> struct Crossing { R t_in, t_out, axis, axis_out; };
+
+/// The same expressions as in traverse.h: planes are met at (k - o) * inverse, and crossings are ordered by
+/// (t, axis). Rays that do not cross the cell have t_out < t_in, or t_out = t_in and axis > axis_out.
+template <Real R, bool kOrthographic>
+inline Crossing<R> cross_cell(const PatchRays& rays, const std::int32_t (&cell)[3], int at) {
+  R near[3], far[3];
+  for (int a = 0; a < 3; ++a) {
+    const double k = double(cell[a]);
+    R low, high;
+    if constexpr (kOrthographic) {
+      if (rays.parallel[a]) {
+        const Mask<R> inside = load_window<R>(rays.cell[a], at) == R(k);
+        near[a] = select(inside, R(-__builtin_inf()), R(__builtin_inf()));
+        far[a] = R(__builtin_inf());
+        continue;
+      }
+      const R o = load_window<R>(rays.own[a], at), inverse = R(rays.shared_inverse[a]);
+      low = (R(k) - o) * inverse;
+      high = (R(k + 1) - o) * inverse;
+    } else {
+      const R inverse = load_window<R>(rays.inverse[a], at);
+      low = R(k - rays.shared[a]) * inverse;
+      high = R(k + 1 - rays.shared[a]) * inverse;
+    }
+    near[a] = min(low, high);
+    far[a] = max(low, high);
+  }
+  const R near01 = max(near[0], near[1]), far01 = min(far[0], far[1]);
+  const R entered = max(near01, near[2]);
+  const Mask<R> start = entered <= R(0);
+  const R axis_in = select(near[2] >= near01, R(2), select(near[1] >= near[0], R(1), R(0)));
+  const R axis_out = select(far[2] < far01, R(2), select(far[1] < far[0], R(1), R(0)));
+  return {select(start, R(0), entered), min(far01, far[2]), select(start, R(kStart), axis_in), axis_out};
+}
+
+/// Entry and exit of the cell along one axis in its own coordinates (point_in_cell).
+template <Real R> struct ChordEnds { R entry, exit; };
+template <Real R, bool kOrthographic>
+inline ChordEnds<R> chord_ends(const PatchRays& rays, const std::int32_t (&cell)[3], int a, int at,
+                               const Crossing<R>& c) {
+  R base, d;
+  if constexpr (kOrthographic) {
+    base = load_window<R>(rays.own[a], at) - R(double(cell[a]));
+    d = R(rays.shared[a]);
+  } else {
+    base = R(rays.shared[a] - double(cell[a]));
+    d = load_window<R>(rays.own[a], at);
+  }
+  const R entry = clamp01(base + c.t_in * d), exit = clamp01(base + c.t_out * d);
+  const R upper = select(d < R(0), R(1), R(0));  // the face it enters through, if it is one of this axis
+  return {select(c.axis == R(a), upper, entry), select(c.axis_out == R(a), R(1) - upper, exit)};
+}
+
+/// Queues the rays of a window, those of `lanes`, that cross the cell before their nearest root.
+template <class T, bool kOrthographic>
+inline void queue_window(const CellToDraw<T>& cell, int at, unsigned lanes, PatchState& patch) {
+  using R = Native<double>;
+  constexpr double kOffsets[8] = {0, 1, 2, 3, kPatchPitch, kPatchPitch + 1, kPatchPitch + 2, kPatchPitch + 3};
+  const PatchRays& rays = patch.rays;
+  const Crossing<R> c = cross_cell<R, kOrthographic>(rays, cell.at, at);
+  const Mask<R> crosses = (c.t_in < c.t_out) | ((c.t_in == c.t_out) & (c.axis <= c.axis_out));
+  const unsigned bits = bits_of(crosses & (c.t_in <= load_window<R>(patch.depth, at))) & lanes;
+  if (bits == 0) return;
+  if (cell.state == FetchedCell::doubtful) {
+    for (unsigned rest = bits; rest; rest &= rest - 1)
+      patch.walk[at + int(kOffsets[__builtin_ctz(rest)])] = 1;
+    return;
+  }
+  PairQueue<T>& queue = pairs_of(patch, T{});
+  const int n = queue.size, count = __builtin_popcount(bits);
+  for (int a = 0; a < 3; ++a) {
+    const ChordEnds<R> ends = chord_ends<R, kOrthographic>(rays, cell.at, a, at, c);
+    compress(queue.entry[a] + n, ends.entry, bits);
+    compress(queue.exit[a] + n, ends.exit, bits);
+  }
+  compress(queue.t_in + n, c.t_in, bits);
+  compress(queue.t_out + n, c.t_out, bits);
+  compress(queue.axis + n, c.axis, bits);
+  compress(queue.ray + n, R(double(at)) + load<R>(kOffsets), bits);
+  queue.any_start = queue.any_start || any(c.axis == R(kStart));
+  // as wide as a window: what lies behind is overwritten
+  for (int k = 0; k < 8; ++k)
+    for (int l = 0; l < kWidth<R>; ++l) queue.f[k][n + l] = cell.f[k];
+  for (int a = 0; a < 3; ++a)
+    for (int l = 0; l < kWidth<R>; ++l) queue.cell[a][n + l] = cell.at[a];
+  for (int l = 0; l < kWidth<R>; ++l) queue.iso[n + l] = cell.iso;
+  queue.size = n + count;
+}
+
+}  // namespace isocast::inline ISO_ISA
