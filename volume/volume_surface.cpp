@@ -53,9 +53,10 @@ double iso_key(SparseType type, double iso, bool double_precision) {
 }
 
 VolumeSurface::VolumeSurface(std::shared_ptr<const Volume> volume, const VolumeSurfaceOptions& options)
-    : volume_(std::move(volume)), grid_from_world_(volume_->world_from_grid.inverse()) {
+    : volume_(std::move(volume)) {
+  const Transform grid_from_world = volume_->world_from_grid.inverse();
   for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 4; ++c) query_.grid_from_world[r][c] = grid_from_world_.m[r][c];
+    for (int c = 0; c < 4; ++c) query_.grid_from_world[r][c] = grid_from_world.m[r][c];
   if (volume_->tree) use_tree();
   else use_dense_grid();
   set_options(options);
@@ -178,7 +179,7 @@ void VolumeSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts
 void VolumeSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
                           DressedHits& dressed) const {
   const DefaultFloatEnvironment environment;
-  dress_volume_hits({query_, grid_from_world_, volume_->slope, volume_->intercept, normals_}, rays, hits,
+  dress_volume_hits({query_, dress_kernels(isa_), volume_->slope, volume_->intercept, normals_}, rays, hits,
                     wishes, dressed);
 }
 

@@ -66,7 +66,6 @@ class VolumeSurface final : public Surface {
   std::shared_ptr<const Volume> volume_;
   std::optional<MacroCells> macrocells_;   // of a dense grid
   std::optional<SparseRangeTree> ranges_;  // of a sparse one
-  Transform grid_from_world_;
   Box bounds_, active_bounds_;
   VolumeQuery query_ = {};
   std::vector<std::shared_ptr<const IsoMasks>> masks_;  // one for each iso-value of a dense grid

@@ -39,6 +39,11 @@ template <Real R> inline void compress(float* to, R v, unsigned bits) {
 #endif
 }
 
+/// Writes a value as often as a window has lanes.
+template <class V> inline void spread(V* to, V value) {
+  for (int l = 0; l < kWidth<Native<double>>; ++l) to[l] = value;
+}
+
 /// A cell on its way into the queue. f: corners minus iso.
 template <class T> struct CellToDraw {
   std::int32_t at[3];
@@ -129,12 +134,9 @@ inline void queue_window(const CellToDraw<T>& cell, int at, unsigned lanes, Patc
   compress(queue.axis + n, c.axis, bits);
   compress(queue.ray + n, R(double(at)) + load<R>(kOffsets), bits);
   queue.any_start = queue.any_start || any(c.axis == R(kStart));
-  // as wide as a window: what lies behind is overwritten
-  for (int k = 0; k < 8; ++k)
-    for (int l = 0; l < kWidth<R>; ++l) queue.f[k][n + l] = cell.f[k];
-  for (int a = 0; a < 3; ++a)
-    for (int l = 0; l < kWidth<R>; ++l) queue.cell[a][n + l] = cell.at[a];
-  for (int l = 0; l < kWidth<R>; ++l) queue.iso[n + l] = cell.iso;
+  for (int k = 0; k < 8; ++k) spread(queue.f[k] + n, cell.f[k]);
+  for (int a = 0; a < 3; ++a) spread(queue.cell[a] + n, cell.at[a]);
+  spread(queue.iso + n, cell.iso);
   queue.size = n + count;
 }
 
