@@ -64,18 +64,6 @@ inline PixelBox clip_footprint(float u, float v, float du, float dv, bool whole,
   return {x.lo, x.hi, y.lo, y.hi};
 }
 
-/// The pixels of a box in `clip`.
-inline PixelBox box_pixels(const PatchMap& map, const PatchState& patch, const double (&center)[3],
-                           double size, const PixelBox& clip) {
-  const double(&h)[3][4] = map.h;
-  const double linear[3][3] = {
-      {h[0][0], h[0][1], h[0][2]}, {h[1][0], h[1][1], h[1][2]}, {h[2][0], h[2][1], h[2][2]}};
-  const Footprint<double> f =
-      footprint(linear, apply(h[0], center), apply(h[1], center), apply(h[2], center), size);
-  if (f.whole && !may_meet(map, patch, center, size)) return {0, -1, 0, -1};
-  return clip_footprint(float(f.u), float(f.v), float(f.du), float(f.dv), f.whole, clip);
-}
-
 /// No ray meets the box before this t.
 inline double nearest_t(const ScreenMap& map, const double (&center)[3], double size) {
   const double x = apply(map.to_eye[0], center), radius = size * map.cell_radius;

@@ -36,13 +36,10 @@ template <class T> inline void load_pairs(const PairQueue<T>& queue, CellPacket<
   packet.active = (1u << (queue.size < kPacketSize ? queue.size : kPacketSize)) - 1;
 }
 
-/// The queue without its first kPacketSize pairs.
+/// The queue without its first kPacketSize pairs: a window adds at most eight to one packet.
 template <class T> inline void drop_pairs(PairQueue<T>& queue) {
-  const int rest = queue.size - kPacketSize;
-  queue.size = rest > 0 ? rest : 0;
-  queue.any_start = false;
-  const auto move = [&](auto& array) {
-    for (int l = 0; l < queue.size; ++l) { array[l] = array[l + kPacketSize]; }
+  const auto move = [](auto& array) {
+    for (int l = 0; l < 8; ++l) array[l] = array[l + kPacketSize];
   };
   for (auto& array : queue.f) move(array);
   for (int a = 0; a < 3; ++a) {
@@ -55,7 +52,10 @@ template <class T> inline void drop_pairs(PairQueue<T>& queue) {
   move(queue.axis);
   move(queue.ray);
   move(queue.iso);
-  for (int l = 0; l < queue.size; ++l) queue.any_start = queue.any_start || queue.axis[l] == kStart;
+  queue.size = queue.size > kPacketSize ? queue.size - kPacketSize : 0;
+  for (int l = 0; l < queue.size && queue.any_start; ++l)
+    if (queue.axis[l] == kStart) return;
+  queue.any_start = false;
 }
 
 /// Takes the root of pair l as its ray's hit if the walk would have met it before the one there is: cells are

@@ -52,22 +52,26 @@ template <class T> struct CellToDraw {
   const T* f;
 };
 
-/// Where a window's rays enter and leave a cell; `axis` as in PairQueue.
-template <Real R> struct Crossing { R t_in, t_out, axis, axis_out; };
-
-/// The same expressions as in traverse.h: planes are met at (k - o) * inverse, and crossings are ordered by
-/// (t, axis). Rays that do not cross the cell have t_out < t_in, or t_out = t_in and axis > axis_out.
-template <Real R, bool kOrthographic>
-inline Crossing<R> cross_cell(const PatchRays& rays, const std::int32_t (&cell)[3], int at) {
+/// Where a window's rays meet the planes of a cell. They cross it if they meet all near ones before all far
+/// ones: those that do surely do not have t_out < t_in.
+template <Real R> struct CellPlanes {
   R near[3], far[3];
+  Mask<R> start;  // the ray starts in the cell, or behind it
+  R t_in, t_out;
+};
+
+/// The same expression as in traverse.h: planes are met at (k - o) * inverse.
+template <Real R, bool kOrthographic>
+inline CellPlanes<R> meet_planes(const PatchRays& rays, const std::int32_t (&cell)[3], int at) {
+  CellPlanes<R> p;
   for (int a = 0; a < 3; ++a) {
     const double k = double(cell[a]);
     R low, high;
     if constexpr (kOrthographic) {
       if (rays.parallel[a]) {
         const Mask<R> inside = load_window<R>(rays.cell[a], at) == R(k);
-        near[a] = select(inside, R(-__builtin_inf()), R(__builtin_inf()));
-        far[a] = R(__builtin_inf());
+        p.near[a] = select(inside, R(-__builtin_inf()), R(__builtin_inf()));
+        p.far[a] = R(__builtin_inf());
         continue;
       }
       const R o = load_window<R>(rays.own[a], at), inverse = R(rays.shared_inverse[a]);
@@ -78,22 +82,30 @@ inline Crossing<R> cross_cell(const PatchRays& rays, const std::int32_t (&cell)[
       low = R(k - rays.shared[a]) * inverse;
       high = R(k + 1 - rays.shared[a]) * inverse;
     }
-    near[a] = min(low, high);
-    far[a] = max(low, high);
+    p.near[a] = min(low, high);
+    p.far[a] = max(low, high);
   }
-  const R near01 = max(near[0], near[1]), far01 = min(far[0], far[1]);
-  const R entered = max(near01, near[2]);
-  const Mask<R> start = entered <= R(0);
-  const R axis_in = select(near[2] >= near01, R(2), select(near[1] >= near[0], R(1), R(0)));
-  const R axis_out = select(far[2] < far01, R(2), select(far[1] < far[0], R(1), R(0)));
-  return {select(start, R(0), entered), min(far01, far[2]), select(start, R(kStart), axis_in), axis_out};
+  const R entered = max(max(p.near[0], p.near[1]), p.near[2]);
+  p.start = entered <= R(0);
+  p.t_in = max(entered, R(0));
+  p.t_out = min(min(p.far[0], p.far[1]), p.far[2]);
+  return p;
+}
+
+/// The axes of the last near and the first far plane by (t, axis), or kStart.
+template <Real R> struct CrossingAxes { R in, out; };
+template <Real R> inline CrossingAxes<R> crossing_axes(const CellPlanes<R>& p) {
+  const R in = select(p.near[2] >= max(p.near[0], p.near[1]), R(2),
+                      select(p.near[1] >= p.near[0], R(1), R(0))),
+          out = select(p.far[2] < min(p.far[0], p.far[1]), R(2), select(p.far[1] < p.far[0], R(1), R(0)));
+  return {select(p.start, R(kStart), in), out};
 }
 
 /// Entry and exit of the cell along one axis in its own coordinates (point_in_cell).
 template <Real R> struct ChordEnds { R entry, exit; };
 template <Real R, bool kOrthographic>
 inline ChordEnds<R> chord_ends(const PatchRays& rays, const std::int32_t (&cell)[3], int a, int at,
-                               const Crossing<R>& c) {
+                               const CellPlanes<R>& p, const CrossingAxes<R>& axis) {
   R base, d;
   if constexpr (kOrthographic) {
     base = load_window<R>(rays.own[a], at) - R(double(cell[a]));
@@ -102,9 +114,9 @@ inline ChordEnds<R> chord_ends(const PatchRays& rays, const std::int32_t (&cell)
     base = R(rays.shared[a] - double(cell[a]));
     d = load_window<R>(rays.own[a], at);
   }
-  const R entry = clamp01(base + c.t_in * d), exit = clamp01(base + c.t_out * d);
+  const R entry = clamp01(base + p.t_in * d), exit = clamp01(base + p.t_out * d);
   const R upper = select(d < R(0), R(1), R(0));  // the face it enters through, if it is one of this axis
-  return {select(c.axis == R(a), upper, entry), select(c.axis_out == R(a), R(1) - upper, exit)};
+  return {select(axis.in == R(a), upper, entry), select(axis.out == R(a), R(1) - upper, exit)};
 }
 
 /// Queues the rays of a window, those of `lanes`, that cross the cell before their nearest root.
@@ -113,9 +125,12 @@ inline void queue_window(const CellToDraw<T>& cell, int at, unsigned lanes, Patc
   using R = Native<double>;
   constexpr double kOffsets[8] = {0, 1, 2, 3, kPatchPitch, kPatchPitch + 1, kPatchPitch + 2, kPatchPitch + 3};
   const PatchRays& rays = patch.rays;
-  const Crossing<R> c = cross_cell<R, kOrthographic>(rays, cell.at, at);
-  const Mask<R> crosses = (c.t_in < c.t_out) | ((c.t_in == c.t_out) & (c.axis <= c.axis_out));
-  const unsigned bits = bits_of(crosses & (c.t_in <= load_window<R>(patch.depth, at))) & lanes;
+  const CellPlanes<R> planes = meet_planes<R, kOrthographic>(rays, cell.at, at);
+  const R depth = load_window<R>(patch.depth, at);
+  unsigned bits = bits_of((planes.t_in <= planes.t_out) & (planes.t_in <= depth)) & lanes;
+  if (bits == 0) return;
+  const CrossingAxes<R> axis = crossing_axes(planes);
+  bits &= bits_of((planes.t_in < planes.t_out) | (axis.in <= axis.out));
   if (bits == 0) return;
   if (cell.state == FetchedCell::doubtful) {
     for (unsigned rest = bits; rest; rest &= rest - 1)
@@ -125,15 +140,15 @@ inline void queue_window(const CellToDraw<T>& cell, int at, unsigned lanes, Patc
   PairQueue<T>& queue = pairs_of(patch, T{});
   const int n = queue.size, count = __builtin_popcount(bits);
   for (int a = 0; a < 3; ++a) {
-    const ChordEnds<R> ends = chord_ends<R, kOrthographic>(rays, cell.at, a, at, c);
+    const ChordEnds<R> ends = chord_ends<R, kOrthographic>(rays, cell.at, a, at, planes, axis);
     compress(queue.entry[a] + n, ends.entry, bits);
     compress(queue.exit[a] + n, ends.exit, bits);
   }
-  compress(queue.t_in + n, c.t_in, bits);
-  compress(queue.t_out + n, c.t_out, bits);
-  compress(queue.axis + n, c.axis, bits);
+  compress(queue.t_in + n, planes.t_in, bits);
+  compress(queue.t_out + n, planes.t_out, bits);
+  compress(queue.axis + n, axis.in, bits);
   compress(queue.ray + n, R(double(at)) + load<R>(kOffsets), bits);
-  queue.any_start = queue.any_start || any(c.axis == R(kStart));
+  queue.any_start = queue.any_start || any(planes.start);
   for (int k = 0; k < 8; ++k) spread(queue.f[k] + n, cell.f[k]);
   for (int a = 0; a < 3; ++a) spread(queue.cell[a] + n, cell.at[a]);
   spread(queue.iso + n, cell.iso);
