@@ -5,6 +5,7 @@
 #include <isocast/volume/cell_root.h>
 #include <isocast/volume/march.h>
 #include <isocast/volume/query.h>
+#include <isocast/volume/ray_slack.h>
 #include <isocast/volume/sample.h>
 
 namespace isocast::inline ISO_ISA {
@@ -17,12 +18,6 @@ inline void solve_packet(const VolumeQuery& query, const CellPacket<double>& pac
                          RootPacket<double>& roots) {
   query.cells->solve_double[int(query.method)](query.options, &packet, &roots, 1);
 }
-
-/// What the roundings of double precision can move the points of a ray by, in grid space: at_origin + |t|
-/// along.
-struct RaySlack {
-  double at_origin, along;
-};
 
 /// What a lane carries from cell to cell. Only in its first cell may the signs at the start be known (bits of
 /// `sides`, f is then not evaluated there): where the ray starts on this very surface, or goes on behind a
@@ -44,14 +39,6 @@ template <class Grid> struct Lane {
     iso_of_hit = -1;
   }
 };
-
-/// How far the ends of the lane's chord may truly be from where they are: the ray's slack, twice for what a
-/// face cuts off, and the rounding to T.
-template <class T, class Grid> inline T chord_slack(const Lane<Grid>& lane) {
-  const double t = max(abs(lane.walk.t_in), abs(lane.walk.t_out()));
-  const double slack = 2 * (lane.slack.at_origin + t * lane.slack.along);
-  return T(slack * 1.0001) + T(kUnitRoundoff<T>);
-}
 
 /// Corners minus iso, chord and starting point of one lane's cell for one iso-value; false when a corner is
 /// not finite.
@@ -76,7 +63,7 @@ inline bool fetch_cell(const VolumeQuery& query, const Grid& grid, const Lane<Gr
     packet.entry[a][l] = entry[a];
     packet.exit[a][l] = exit[a];
   }
-  packet.slack[l] = query.proves ? chord_slack<T>(lane) : T(0);
+  packet.slack[l] = query.proves ? chord_slack<T>(lane.slack, lane.walk.t_in, lane.walk.t_out()) : T(0);
   packet.begin[l] = T(iso_index == lane.iso_of_hit ? lane.begin_of_iso : lane.begin);
   packet.carry[l] = lane.carried ? (lane.sides >> iso_index & 1 ? T(-0.0) : T(0)) : T(__builtin_nan(""));
   return finite == T(0);

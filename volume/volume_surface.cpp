@@ -159,7 +159,7 @@ void VolumeSurface::choose_masks() {
 }
 
 std::unique_ptr<PrimaryPass> VolumeSurface::primary(const View& view) const {
-  if (!macrocells_ || query_.proves) return nullptr;
+  if (!macrocells_) return nullptr;
   std::optional<BricksInView> bricks = find_bricks(query_, volume_->world_from_grid, view);
   if (!bricks) return nullptr;
   return std::make_unique<VolumePass>(query_, masks_, view, std::move(*bricks), isa_);

@@ -35,7 +35,8 @@ double parallel_cell(const VolumeQuery& query, int a, double o, double d) {
   return d < 0 && cell > first && cell >= o ? cell - 1 : cell;
 }
 
-void start_patch(const VolumeQuery& query, const RayFrame& frame, PatchState& patch) {
+void start_patch(const VolumeQuery& query, PatchState& patch) {
+  const RayFrame& frame = patch.frame;
   const PrimaryRay<double> ray =
       to_grid(query, primary_ray(frame, patch.x + patch.offset_u, patch.y + patch.offset_v));
   const Vec3<double>& shared = frame.orthographic ? ray.d : ray.o;
@@ -62,7 +63,8 @@ void settle_parallel(const VolumeQuery& query, bool orthographic, int at, PatchS
   }
 }
 
-void fill_tile(const VolumeQuery& query, const RayFrame& frame, int x0, int y0, PatchState& patch) {
+void fill_tile(const VolumeQuery& query, int x0, int y0, PatchState& patch) {
+  const RayFrame& frame = patch.frame;
   constexpr double kLanes[8] = {0, 1, 2, 3, 4, 5, 6, 7};
   PatchRays& rays = patch.rays;
   for (int y = y0; y < y0 + kTile; ++y) {

@@ -4,6 +4,7 @@
 #include <isocast/math/pack.h>
 #include <isocast/volume/cell/cell.h>
 #include <isocast/volume/primary/kernels.h>
+#include <isocast/volume/ray_slack.h>
 #include <isocast/volume/traverse.h>
 
 namespace isocast::inline ISO_ISA {
@@ -34,6 +35,19 @@ template <class T> inline void load_pairs(const PairQueue<T>& queue, CellPacket<
     packet.carry[l] = T(__builtin_nan(""));
   }
   packet.active = (1u << (queue.size < kPacketSize ? queue.size : kPacketSize)) - 1;
+}
+
+/// The slack of the pairs' chords, for methods that prove.
+template <class T>
+inline void find_slack(const VolumeQuery& query, const PatchState& patch, const PairQueue<T>& queue,
+                       CellPacket<T>& packet) {
+  for (std::uint32_t rest = packet.active; rest; rest &= rest - 1) {
+    const int l = __builtin_ctz(rest), ray = int(queue.ray[l]), x = patch.x + ray % kPatchPitch,
+              y = patch.y + ray / kPatchPitch;
+    const auto [o, d] = primary_ray(patch.frame, x + patch.offset_u, y + patch.offset_v);
+    packet.slack[l] =
+        chord_slack<T>(ray_slack(query, {o.x, o.y, o.z}, {d.x, d.y, d.z}), queue.t_in[l], queue.t_out[l]);
+  }
 }
 
 /// The queue without its first kPacketSize pairs: a window adds at most eight to one packet.
@@ -94,6 +108,7 @@ template <class T> inline void solve_pairs(const VolumeQuery& query, PatchState&
   alignas(64) CellPacket<T> packet;
   alignas(64) RootPacket<T> roots;
   load_pairs(queue, packet);
+  if (query.proves) find_slack(query, patch, queue, packet);
   solve_packet(query, packet, roots);
   counts.solves += __builtin_popcount(packet.active);
   if (queue.any_start)

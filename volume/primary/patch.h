@@ -3,6 +3,7 @@
 #pragma once
 
 #include <isocast/ray/stream.h>
+#include <isocast/render/primary_ray.h>
 
 namespace isocast {
 
@@ -45,12 +46,14 @@ template <class T> struct alignas(64) PairQueue {
   bool any_start;
 };
 
+/// frame                the picture's
 /// x, y, columns, rows  the patch in the picture
 /// depth                t_in of the cell of the nearest root so far; before, as far as anything matters
 /// axis                 its entry axis, 255 before
 /// walk                 rays that only the walk can answer
 /// far                  the largest depth of each part, where its bit in `stale` is not set
 struct PatchState {
+  RayFrame frame;
   int x, y, columns, rows;
   double offset_u, offset_v;
   PatchRays rays;

@@ -37,6 +37,7 @@ void VolumePass::first_hits(int bx, int by, double offset_u, double offset_v, Bl
                             TraceCounts& counts) const {
   const DefaultFloatEnvironment environment;
   PatchState& patch = *scratch_.local();
+  patch.frame = view_.ray_frame();
   patch.offset_u = offset_u;
   patch.offset_v = offset_v;
   for (int y = by * kPatchesPerBlock; y < std::min((by + 1) * kPatchesPerBlock, bricks_.rows); ++y)
@@ -51,7 +52,7 @@ void VolumePass::trace_patch(int px, int py, BlockHits& hits, PatchState& patch,
   patch.y = py * kPatchSize;
   patch.columns = std::min(kPatchSize, view_.width() - patch.x);
   patch.rows = std::min(kPatchSize, view_.height() - patch.y);
-  kernels_.start_patch(query_, view_.ray_frame(), patch);
+  kernels_.start_patch(query_, patch);
   unsigned filled = 0;  // a bit for each tile
   for (const std::uint32_t number : bricks) {
     const SeenBrick& brick = bricks_.bricks[number];
@@ -78,7 +79,7 @@ unsigned VolumePass::fill_tiles(const PixelBox& pixels, unsigned filled, BlockHi
       filled |= bit;
       const int x0 = tx * kTileSize, y0 = ty * kTileSize, bx = block_tile(patch.x + x0),
                 by = block_tile(patch.y + y0);
-      kernels_.fill_tile(query_, view_.ray_frame(), x0, y0, patch);
+      kernels_.fill_tile(query_, x0, y0, patch);
       if (!hits.is_open(bx, by)) continue;
       const HitStream& others = hits.tile(bx, by);
       for (int y = 0; y < kTileSize; ++y)
