@@ -130,13 +130,14 @@ inline void queue_window(const CellToDraw<T>& cell, int at, unsigned lanes, Patc
   unsigned bits = bits_of((planes.t_in <= planes.t_out) & (planes.t_in <= depth)) & lanes;
   if (bits == 0) return;
   const CrossingAxes<R> axis = crossing_axes(planes);
+  const auto leave_to_walk = [&](unsigned rest) {
+    for (; rest; rest &= rest - 1) patch.walk[at + int(kOffsets[__builtin_ctz(rest)])] = 1;
+  };
+  // a ray that starts on a plane is in the cell in front, or, on the border of the active blocks, behind
+  leave_to_walk(bits & bits_of(planes.start & (planes.t_out == R(0))));
   bits &= bits_of((planes.t_in < planes.t_out) | (axis.in <= axis.out));
   if (bits == 0) return;
-  if (cell.state == FetchedCell::doubtful) {
-    for (unsigned rest = bits; rest; rest &= rest - 1)
-      patch.walk[at + int(kOffsets[__builtin_ctz(rest)])] = 1;
-    return;
-  }
+  if (cell.state == FetchedCell::doubtful) return leave_to_walk(bits);
   PairQueue<T>& queue = pairs_of(patch, T{});
   const int n = queue.size, count = __builtin_popcount(bits);
   for (int a = 0; a < 3; ++a) {
