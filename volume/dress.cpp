@@ -9,29 +9,12 @@
 namespace isocast {
 namespace {
 
-// A hit in grid space: its cell and its place in it.
-struct CellPoint {
-  std::int32_t cell[3];
-  Vec3<double> p;
-};
-
-CellPoint locate(const VolumeDressing& dressing, const Double3& world, const HitStream& hits, int i) {
-  const Double3 grid = dressing.grid_from_world.point(world);
-  CellPoint c{{hits.cell[0][i], hits.cell[1][i], hits.cell[2][i]}, {}};
-  c.p = {clamp01(grid[0] - double(c.cell[0])), clamp01(grid[1] - double(c.cell[1])),
-         clamp01(grid[2] - double(c.cell[2]))};
-  return c;
-}
-
 // Grid: DenseGrid or SparseGrid.
 template <class Grid> struct Samples {
   const Grid& grid;
   const SampleBox& box;
   double at(std::int32_t x, std::int32_t y, std::int32_t z) const {
     return double(number(grid.at({x, y, z})));
-  }
-  void corners(const std::int32_t (&c)[3], double (&f)[8]) const {
-    for (int i = 0; i < 8; ++i) f[i] = at(c[0] + (i & 1), c[1] + (i >> 1 & 1), c[2] + (i >> 2));
   }
   // Central difference along an axis, one-sided at the border.
   double difference(std::array<std::int32_t, 3> c, int axis) const {
@@ -42,25 +25,28 @@ template <class Grid> struct Samples {
   }
 };
 
-// Gradient of the trilinear interpolant in cell space.
-Double3 cell_gradient(const double (&f)[8], const Vec3<double>& p) {
-  const auto plane = [](double a, double b, double c, double d, double u, double v) {
-    return lerp(lerp(a, b, u), lerp(c, d, u), v);
-  };
-  return {plane(f[1] - f[0], f[3] - f[2], f[5] - f[4], f[7] - f[6], p.y, p.z),
-          plane(f[2] - f[0], f[3] - f[1], f[6] - f[4], f[7] - f[5], p.x, p.z),
-          plane(f[4] - f[0], f[5] - f[1], f[6] - f[2], f[7] - f[3], p.x, p.y)};
+template <class Grid>
+void load_corners(const Samples<Grid>& samples, const HitStream& hits, int size, HitsToDress& dress) {
+  for (int i = 0; i < size; ++i) {
+    if (!(dress.mine[i] > 0)) continue;
+    const std::int32_t x = hits.cell[0][i], y = hits.cell[1][i], z = hits.cell[2][i];
+    for (int k = 0; k < 8; ++k) dress.corners[k][i] = samples.at(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2));
+  }
 }
 
-template <class Grid> Double3 difference_gradient(const Samples<Grid>& samples, const CellPoint& c) {
-  Double3 gradient;
-  for (int axis = 0; axis < 3; ++axis) {
-    double g[8];
-    for (int i = 0; i < 8; ++i)
-      g[i] = samples.difference({c.cell[0] + (i & 1), c.cell[1] + (i >> 1 & 1), c.cell[2] + (i >> 2)}, axis);
-    gradient[axis] = trilinear(g, c.p);
+template <class Grid>
+void difference(const Samples<Grid>& samples, const HitStream& hits, int size, HitsToDress& dress) {
+  for (int i = 0; i < size; ++i) {
+    if (!(dress.mine[i] > 0)) continue;
+    const Vec3<double> p = {dress.place[0][i], dress.place[1][i], dress.place[2][i]};
+    for (int axis = 0; axis < 3; ++axis) {
+      double g[8];
+      for (int k = 0; k < 8; ++k)
+        g[k] = samples.difference(
+            {hits.cell[0][i] + (k & 1), hits.cell[1][i] + (k >> 1 & 1), hits.cell[2][i] + (k >> 2)}, axis);
+      dress.gradient[axis][i] = trilinear(g, p);
+    }
   }
-  return gradient;
 }
 
 template <class Grid>
@@ -68,24 +54,28 @@ void dress(const VolumeDressing& dressing, const RayStream& rays, const HitStrea
            const DressWishes& wishes, DressedHits& dressed) {
   const Grid grid(dressing.query);
   const Samples<Grid> samples{grid, dressing.query.samples};
+  const DressKernels& kernels = dressing.kernels;
+  const double(&grid_from_world)[3][4] = dressing.query.grid_from_world;
+  HitsToDress work;
+  bool any = false;
   for (int i = 0; i < rays.size; ++i) {
-    if (hits.object[i] != dressing.query.object || !(hits.t[i] < __builtin_inf())) continue;
-    const Double3 d = {rays.dx[i], rays.dy[i], rays.dz[i]};
-    const Double3 world = Double3{rays.ox[i], rays.oy[i], rays.oz[i]} + hits.t[i] * d;
-    if (wishes.position)
-      for (int a = 0; a < 3; ++a) dressed.position[a][i] = world[a];
-    if (!wishes.normal && !wishes.value) continue;
-    const CellPoint c = locate(dressing, world, hits, i);
-    double f[8];
-    samples.corners(c.cell, f);
-    if (wishes.value) dressed.value[i] = dressing.slope * trilinear(f, c.p) + dressing.intercept;
-    if (!wishes.normal) continue;
-    const Double3 gradient =
-        dressing.normals == NormalKind::gradient ? cell_gradient(f, c.p) : difference_gradient(samples, c);
-    const Double3 normal = normalized(dressing.grid_from_world.transposed_vector(gradient));
-    const double turn = dot(normal, d) > 0 ? -1 : 1;
-    for (int a = 0; a < 3; ++a) dressed.normal[a][i] = turn * normal[a];
+    const bool mine = hits.object[i] == dressing.query.object && is_hit(hits, i);
+    work.mine[i] = mine;
+    any = any || mine;
   }
+  std::fill(work.mine + rays.size, std::end(work.mine), 0.0);
+  if (!any) return;
+  kernels.locate(grid_from_world, rays, hits, work);
+  for (int i = 0; i < rays.size; ++i)
+    if (wishes.position && work.mine[i] > 0)
+      for (int a = 0; a < 3; ++a) dressed.position[a][i] = work.world[a][i];
+  const bool smooth = dressing.normals == NormalKind::difference;
+  if (wishes.value || (wishes.normal && !smooth)) load_corners(samples, hits, rays.size, work);
+  if (wishes.value) kernels.interpolate(dressing.slope, dressing.intercept, rays.size, work, dressed.value);
+  if (!wishes.normal) return;
+  if (smooth) difference(samples, hits, rays.size, work);
+  else kernels.differentiate(rays.size, work);
+  kernels.turn(grid_from_world, rays, work, dressed.normal);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/ray/surface.h>
+#include <isocast/volume/dress_kernels.h>
 #include <isocast/volume/volume_surface.h>
 
 namespace isocast {
@@ -9,7 +10,7 @@ namespace isocast {
 /// slope, intercept  of the user's units
 struct VolumeDressing {
   const VolumeQuery& query;
-  const Transform& grid_from_world;
+  const DressKernels& kernels;
   double slope, intercept;
   NormalKind normals;
 };

@@ -13,6 +13,16 @@ void trace(const VolumeQuery& query, bool next, const RayStream& rays, HitStream
   });
 }
 
+template <class T, class S>
+std::uint32_t sides(const VolumeQuery& query, const RayStream& rays, int slot, const std::int32_t (&cell)[3],
+                    int iso, bool behind, bool touched) {
+  const DenseGrid<S> grid(query);
+  Lane<DenseGrid<S>> lane;
+  lane.ray = grid_ray(query, rays, slot);
+  resume_in_cell(lane.ray, grid.shifts, cell, rays.t_min[slot], lane.walk);
+  return sides_in_front<T>(query, grid, lane, iso, behind, touched);
+}
+
 }  // namespace
 
 void trace_first_hits(const VolumeQuery& query, const RayStream& rays, HitStream& hits, TraceCounts& counts) {
@@ -20,6 +30,15 @@ void trace_first_hits(const VolumeQuery& query, const RayStream& rays, HitStream
 }
 void trace_next_hits(const VolumeQuery& query, const RayStream& rays, HitStream& hits, TraceCounts& counts) {
   trace(query, true, rays, hits, counts);
+}
+
+std::uint32_t sides_of_root(const VolumeQuery& query, const RayStream& rays, int slot,
+                            const std::int32_t (&cell)[3], int iso, bool behind, bool touched) {
+  if (query.iso_count == 1) return std::uint32_t(behind == touched) << iso;
+  return visit_sample_type(query.grid.type, [&]<class S>(SampleTag<S>) {
+    return query.double_precision ? sides<double, S>(query, rays, slot, cell, iso, behind, touched)
+                                  : sides<float, S>(query, rays, slot, cell, iso, behind, touched);
+  });
 }
 
 }  // namespace isocast

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <isocast/volume/cell/cell.h>
+#include <isocast/volume/cell_root.h>
 #include <isocast/volume/march.h>
 #include <isocast/volume/query.h>
+#include <isocast/volume/ray_slack.h>
 #include <isocast/volume/sample.h>
 
 namespace isocast::inline ISO_ISA {
@@ -16,12 +18,6 @@ inline void solve_packet(const VolumeQuery& query, const CellPacket<double>& pac
                          RootPacket<double>& roots) {
   query.cells->solve_double[int(query.method)](query.options, &packet, &roots, 1);
 }
-
-/// What the roundings of double precision can move the points of a ray by, in grid space: at_origin + |t|
-/// along.
-struct RaySlack {
-  double at_origin, along;
-};
 
 /// What a lane carries from cell to cell. Only in its first cell may the signs at the start be known (bits of
 /// `sides`, f is then not evaluated there): where the ray starts on this very surface, or goes on behind a
@@ -43,14 +39,6 @@ template <class Grid> struct Lane {
     iso_of_hit = -1;
   }
 };
-
-/// How far the ends of the lane's chord may truly be from where they are: the ray's slack, twice for what a
-/// face cuts off, and the rounding to T.
-template <class T, class Grid> inline T chord_slack(const Lane<Grid>& lane) {
-  const double t = max(abs(lane.walk.t_in), abs(lane.walk.t_out()));
-  const double slack = 2 * (lane.slack.at_origin + t * lane.slack.along);
-  return T(slack * 1.0001) + T(kUnitRoundoff<T>);
-}
 
 /// Corners minus iso, chord and starting point of one lane's cell for one iso-value; false when a corner is
 /// not finite.
@@ -75,7 +63,7 @@ inline bool fetch_cell(const VolumeQuery& query, const Grid& grid, const Lane<Gr
     packet.entry[a][l] = entry[a];
     packet.exit[a][l] = exit[a];
   }
-  packet.slack[l] = query.proves ? chord_slack<T>(lane) : T(0);
+  packet.slack[l] = query.proves ? chord_slack<T>(lane.slack, lane.walk.t_in, lane.walk.t_out()) : T(0);
   packet.begin[l] = T(iso_index == lane.iso_of_hit ? lane.begin_of_iso : lane.begin);
   packet.carry[l] = lane.carried ? (lane.sides >> iso_index & 1 ? T(-0.0) : T(0)) : T(__builtin_nan(""));
   return finite == T(0);
@@ -173,24 +161,16 @@ inline Nearest<T> solve_cells(const VolumeQuery& query, const Grid& grid, const 
 template <class T, class Grid>
 inline void record_hit(const VolumeQuery& query, const Grid& grid, const Lane<Grid>& lane,
                        const Nearest<T>& nearest, int l, const RayStream& rays, HitStream& hits, int i) {
-  const double t_in = lane.walk.t_in, span = lane.walk.t_out() - t_in, t = t_in + double(nearest.s[l]) * span;
-  if (!(t <= rays.t_max[i] && t < hits.t[i])) return;
-  const bool undecided = (nearest.undecided >> l & 1) || (query.proves && lane.doubt),
-             behind = nearest.behind >> l & 1;
-  hits.t[i] = t;
-  // what the roundings of t can make
-  const double slack = query.proves ? 0x1p-50 * max(abs(t_in), abs(t_in + span)) : 0;
-  hits.t_lo[i] = t_in + double(nearest.s_lo[l]) * span - slack;
-  hits.t_hi[i] = t_in + double(nearest.s_hi[l]) * span + slack;
-  hits.s[i] = nearest.s[l];
-  hits.s_hi[i] = nearest.s_hi[l];
-  for (int a = 0; a < 3; ++a) hits.cell[a][i] = lane.walk.cell()[a];
-  hits.iso[i] = std::uint8_t(nearest.iso[l]);
-  hits.object[i] = query.object;
-  hits.certificate[i] = undecided      ? Certificate::undecided
-                        : query.proves ? Certificate::proved_hit
-                                       : Certificate::no_proof;
-  hits.sides[i] = sides_in_front<T>(query, grid, lane, nearest.iso[l], behind, undecided);
+  const std::int32_t(&cell)[3] = lane.walk.cell();
+  const CellRoot root = {
+      lane.walk.t_in,          lane.walk.t_out(),
+      double(nearest.s[l]),    double(nearest.s_lo[l]),
+      double(nearest.s_hi[l]), {cell[0], cell[1], cell[2]},
+      nearest.iso[l],          (nearest.undecided >> l & 1) || (query.proves && lane.doubt)};
+  if (is_nearer(root, rays, hits, i))
+    write_hit(query, root,
+              sides_in_front<T>(query, grid, lane, root.iso, nearest.behind >> l & 1, root.undecided), hits,
+              i);
 }
 
 /// Traces the lanes of `alive` to their first root, or the end; `slot` is lane 0's place in the streams.

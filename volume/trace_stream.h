@@ -16,16 +16,8 @@ inline GridRay grid_ray(const VolumeQuery& query, const RayStream& rays, int i) 
   return make_grid_ray(o, d, query.samples);
 }
 
-/// 16 unit roundoffs of everything that the points of that ray are sums of.
 inline RaySlack ray_slack(const VolumeQuery& query, const RayStream& rays, int i) {
-  RaySlack slack = {};
-  for (const double(&row)[4] : query.grid_from_world) {
-    const double x = abs(row[0]), y = abs(row[1]), z = abs(row[2]);
-    slack.at_origin =
-        max(slack.at_origin, x * abs(rays.ox[i]) + y * abs(rays.oy[i]) + z * abs(rays.oz[i]) + abs(row[3]));
-    slack.along = max(slack.along, x * abs(rays.dx[i]) + y * abs(rays.dy[i]) + z * abs(rays.dz[i]));
-  }
-  return {0x1p-49 * slack.at_origin, 0x1p-49 * slack.along};
+  return ray_slack(query, {rays.ox[i], rays.oy[i], rays.oz[i]}, {rays.dx[i], rays.dy[i], rays.dz[i]});
 }
 
 /// A fresh ray, or one that starts on this surface and knows its sides; false if it misses the grid.

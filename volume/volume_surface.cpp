@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/volume/dress.h>
+#include <isocast/volume/primary/volume_pass.h>
 #include <isocast/volume/sample.h>
 #include <isocast/volume/volume_surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -51,9 +53,10 @@ double iso_key(SparseType type, double iso, bool double_precision) {
 }
 
 VolumeSurface::VolumeSurface(std::shared_ptr<const Volume> volume, const VolumeSurfaceOptions& options)
-    : volume_(std::move(volume)), grid_from_world_(volume_->world_from_grid.inverse()) {
+    : volume_(std::move(volume)) {
+  const Transform grid_from_world = volume_->world_from_grid.inverse();
   for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 4; ++c) query_.grid_from_world[r][c] = grid_from_world_.m[r][c];
+    for (int c = 0; c < 4; ++c) query_.grid_from_world[r][c] = grid_from_world.m[r][c];
   if (volume_->tree) use_tree();
   else use_dense_grid();
   set_options(options);
@@ -133,6 +136,7 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
                                  {(b.hi[0] + 1) * size, (b.hi[1] + 1) * size, (b.hi[2] + 1) * size});
     }
   }
+  if (macrocells_) choose_masks();
   query_.method = options.method.method;
   query_.options = options.method.options;
   query_.proves = options.method.proves();
@@ -140,6 +144,25 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
   query_.object = options.object;
   normals_ = options.normals;
   query_.cells = &cell_kernels(options.isa);
+  isa_ = options.isa;
+}
+
+// Those of iso-values that stay are kept.
+void VolumeSurface::choose_masks() {
+  std::vector<std::shared_ptr<const IsoMasks>> masks;
+  for (int i = 0; i < query_.iso_count; ++i) {
+    const double key = query_.key[i];
+    const auto kept = std::ranges::find_if(masks_, [&](const auto& m) { return m->key() == key; });
+    masks.push_back(kept != masks_.end() ? *kept : std::make_shared<const IsoMasks>(query_.grid, key));
+  }
+  masks_ = std::move(masks);
+}
+
+std::unique_ptr<PrimaryPass> VolumeSurface::primary(const View& view) const {
+  if (!macrocells_) return nullptr;
+  std::optional<BricksInView> bricks = find_bricks(query_, volume_->world_from_grid, view);
+  if (!bricks) return nullptr;
+  return std::make_unique<VolumePass>(query_, masks_, view, std::move(*bricks), isa_);
 }
 
 void VolumeSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
@@ -156,7 +179,7 @@ void VolumeSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts
 void VolumeSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
                           DressedHits& dressed) const {
   const DefaultFloatEnvironment environment;
-  dress_volume_hits({query_, grid_from_world_, volume_->slope, volume_->intercept, normals_}, rays, hits,
+  dress_volume_hits({query_, dress_kernels(isa_), volume_->slope, volume_->intercept, normals_}, rays, hits,
                     wishes, dressed);
 }
 

@@ -5,6 +5,7 @@
 #include <isocast/ray/surface.h>
 #include <isocast/volume/macrocells.h>
 #include <isocast/volume/methods.h>
+#include <isocast/volume/primary/brick_masks.h>
 #include <isocast/volume/query.h>
 #include <isocast/volume/sparse_ranges.h>
 #include <isocast/volume/volume.h>
@@ -49,6 +50,8 @@ class VolumeSurface final : public Surface {
   [[nodiscard]] bool proves() const override { return query_.proves; }
   /// By the box of the blocks that hold an iso-value.
   [[nodiscard]] bool narrow(const TileFrustum& tile) const override;
+  /// In object order, where that is to be had.
+  [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
@@ -57,14 +60,16 @@ class VolumeSurface final : public Surface {
  private:
   void use_dense_grid();
   void use_tree();
+  void choose_masks();
   [[nodiscard]] Box world_box(const Double3& lo, const Double3& hi) const;
 
   std::shared_ptr<const Volume> volume_;
   std::optional<MacroCells> macrocells_;   // of a dense grid
   std::optional<SparseRangeTree> ranges_;  // of a sparse one
-  Transform grid_from_world_;
   Box bounds_, active_bounds_;
   VolumeQuery query_ = {};
+  std::vector<std::shared_ptr<const IsoMasks>> masks_;  // one for each iso-value of a dense grid
+  Isa isa_;
   NormalKind normals_;
 };
 

@@ -56,6 +56,14 @@ View::View(const Camera& camera, int width, int height)
   const Double3 right = normalized(cross(forward_, camera.up));
   right_ = pixel * right;
   down_ = pixel * cross(forward_, right);
+  const Double3 corner = image_point(0, 0), &fixed = orthographic_ ? forward_ : eye_;
+  frame_ = {{}, {}, {}, {}, width_, height_, orthographic_};
+  for (int a = 0; a < 3; ++a) {
+    frame_.corner[a] = corner[a];
+    frame_.right[a] = right_[a];
+    frame_.down[a] = down_[a];
+    frame_.fixed[a] = fixed[a];
+  }
 }
 
 Double3 View::image_point(double u, double v) const {
@@ -64,36 +72,7 @@ Double3 View::image_point(double u, double v) const {
 }
 
 void View::fill(int tx, int ty, double offset_u, double offset_v, RayStream& rays) const {
-  rays.size = kStreamSize;
-  rays.kind = RayKind::primary;
-  const Double3 corner = image_point(0, 0), fixed = orthographic_ ? forward_ : eye_;
-  for (int i = 0; i < kStreamSize; ++i) {
-    // packet p of 4x4 pixels, lane l in it
-    const int p = i / 16, l = i % 16;
-    const int x = tx * kTileSize + p % 4 * 4 + l % 4, y = ty * kTileSize + p / 4 * 4 + l / 4;
-    const bool inside = x < width_ && y < height_;
-    rays.u[i] = static_cast<float>(x + offset_u);
-    rays.v[i] = static_cast<float>(y + offset_v);
-    rays.t_min[i] = inside ? 0 : 1;
-    rays.t_max[i] = inside ? __builtin_inf() : 0;
-    rays.id[i] = inside ? static_cast<std::uint32_t>(x + y * width_) : 0;
-    rays.start_object[i] = kNoObject;
-    rays.start_sides[i] = 0;
-    // the point on the image plane, in double
-    const double u = x + offset_u, v = y + offset_v;
-    rays.ox[i] = corner[0] + u * right_[0] + v * down_[0];
-    rays.oy[i] = corner[1] + u * right_[1] + v * down_[1];
-    rays.oz[i] = corner[2] + u * right_[2] + v * down_[2];
-  }
-  for (int i = 0; i < kStreamSize; ++i) {
-    const double x = rays.ox[i], y = rays.oy[i], z = rays.oz[i], scale = 1 / std::sqrt(x * x + y * y + z * z);
-    rays.dx[i] = orthographic_ ? fixed[0] : scale * x;
-    rays.dy[i] = orthographic_ ? fixed[1] : scale * y;
-    rays.dz[i] = orthographic_ ? fixed[2] : scale * z;
-    rays.ox[i] = orthographic_ ? x : fixed[0];
-    rays.oy[i] = orthographic_ ? y : fixed[1];
-    rays.oz[i] = orthographic_ ? z : fixed[2];
-  }
+  render_kernels().fill_rays(frame_, tx, ty, offset_u, offset_v, rays);
 }
 
 PixelLines View::lines() const {

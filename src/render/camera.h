@@ -5,6 +5,7 @@
 #include <isocast/ray/pixel_lines.h>
 #include <isocast/ray/stream.h>
 #include <isocast/ray/tile.h>
+#include <isocast/render/kernels.h>
 
 #include <optional>
 
@@ -42,6 +43,8 @@ class View {
   /// Unit vector from the camera into the scene.
   [[nodiscard]] const Double3& forward() const { return forward_; }
 
+  [[nodiscard]] const RayFrame& ray_frame() const { return frame_; }
+
   /// Rays of tile (tx, ty) through (x + offset_u, y + offset_v) of each pixel (0.5: the centre), first row on
   /// top, in packets of 4x4 pixels; slots outside the picture are empty. Directions have unit length, t_min
   /// is 0. id is x + y * width.
@@ -60,6 +63,7 @@ class View {
   int width_, height_;
   bool orthographic_;
   Double3 eye_, forward_, right_, down_;  // right_ and down_: one pixel
+  RayFrame frame_;
 };
 
 }  // namespace isocast

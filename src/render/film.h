@@ -3,6 +3,7 @@
 
 #include <isocast/ray/hit.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -29,6 +30,9 @@ class Film {
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] bool has(Layer layer) const { return !layers_[static_cast<int>(layer)].empty(); }
+  [[nodiscard]] bool has_layers() const {
+    return std::ranges::any_of(layers_, [](const std::vector<float>& layer) { return !layer.empty(); });
+  }
   /// The channels of pixel `id` (x + y * width).
   [[nodiscard]] float* color(std::uint32_t id) { return &color_[std::size_t(id) * 4]; }
   [[nodiscard]] float* at(Layer layer, std::uint32_t id) {

@@ -16,7 +16,19 @@ float layer_value(Certificate certificate) {
 }  // namespace
 
 void write_layers(const Frame& frame, const Wave& wave, Film& film, RenderCounts& counts) {
-  const auto& [rays, hits, dressed, slot, weight] = wave;
+  const RayStream& rays = wave.rays;
+  const HitStream& hits = *wave.hits;
+  const DressedHits& dressed = wave.dressed;
+  if (!film.has_layers() && !frame.proves) {
+    int found = 0, all = 0;
+    for (int i = 0; i < rays.size; ++i) {
+      found += is_hit(hits, i);
+      all += is_ray(rays, i);
+    }
+    counts.hits += found;
+    counts.misses += all - found;
+    return;
+  }
   for (int i = 0; i < rays.size; ++i) {
     if (!is_ray(rays, i)) continue;
     const std::uint32_t id = rays.id[i];

@@ -30,11 +30,12 @@ struct Frame {
 
 /// Rays with what they hit.
 ///
+/// hits    kept elsewhere
 /// slot    the primary ray of the tile that a ray descends from
 /// weight  the share of that ray's colour which it brings
 struct Wave {
   RayStream rays;
-  HitStream hits;
+  HitStream* hits;
   DressedHits dressed;
   int slot[kStreamSize];
   float weight[kStreamSize];

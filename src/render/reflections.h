@@ -18,6 +18,7 @@ class Reflections {
   void trace(const Frame& frame, Wave& wave, RenderCounts& counts);
 
   Wave waves_[2];
+  HitStream hits_[2];
 };
 
 }  // namespace isocast

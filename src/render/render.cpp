@@ -30,37 +30,57 @@ struct Worker {
   RenderCounts counts;
 };
 
-// The objects that a tile may meet.
-std::vector<std::uint16_t> candidates_of(const Frame& frame, int tx, int ty) {
+// The objects that a tile may meet: of those with a pass, whatever it has `found`.
+void find_candidates(const Frame& frame, int tx, int ty, const HitStream* found,
+                     std::vector<std::uint16_t>& candidates) {
+  candidates.clear();
+  const bool any_pass = !frame.passes.empty();
+  if (any_pass && !found && frame.objects.size() == 1) return;
   const TileFrustum tile = frame.view.frustum(tx, ty);
-  std::vector<std::uint16_t> candidates;
   for (const std::uint16_t object : frame.objects)
-    if (frame.scene.objects[object].surface->narrow(tile)) candidates.push_back(object);
-  return candidates;
+    if (any_pass && frame.passes[object] ? found != nullptr
+                                         : frame.scene.objects[object].surface->narrow(tile))
+      candidates.push_back(object);
+}
+
+// The same for a tile that meets nothing, before a background of one colour.
+void add_nothing(const Frame& frame, int tx, int ty, int sample, Film& film, RenderCounts& counts) {
+  const int x0 = tx * kTileSize, y0 = ty * kTileSize, x1 = std::min(x0 + kTileSize, frame.view.width()),
+            y1 = std::min(y0 + kTileSize, frame.view.height());
+  counts.primary += (x1 - x0) * (y1 - y0);
+  if (sample == 0) counts.misses += (x1 - x0) * (y1 - y0);
+  const bool prove = sample == 0 && frame.proves && film.has(Layer::certificate);
+  const float share = 1.0f / static_cast<float>(frame.settings.spp);
+  const Color& background = frame.scene.background;
+  for (int y = y0; y < y1; ++y) {
+    const auto id = static_cast<std::uint32_t>(x0 + y * frame.view.width());
+    if (prove) std::fill_n(film.at(Layer::certificate, id), x1 - x0, 0.0f);
+    if (!frame.features.shade) continue;
+    float* pixel = film.color(id);
+    for (int x = x0; x < x1; ++x, pixel += 4)
+      for (int c = 0; c < 3; ++c) pixel[c] += share * background[c];
+  }
 }
 
 // One sample of every pixel of a tile. found: as in trace_first_hits.
-void render_sample(const Frame& frame, int tx, int ty, int sample, const HitStream* found, TileBuffers& b,
+void render_sample(const Frame& frame, int tx, int ty, int sample, HitStream* found, TileBuffers& b,
                    Film& film, RenderCounts& counts) {
-  const std::vector<std::uint16_t> candidates = candidates_of(frame, tx, ty);
+  find_candidates(frame, tx, ty, found, b.candidates);
   if (sample == 0) {
     ++counts.tiles;
-    counts.tiles_culled += candidates.empty();
+    counts.tiles_culled += b.candidates.empty();
   }
+  if (b.candidates.empty() && !frame.scene.environment)
+    return add_nothing(frame, tx, ty, sample, film, counts);
   double u = 0, v = 0;
   sample_offset(sample, u, v);
   RayStream& rays = b.primary.rays;
   frame.view.fill(tx, ty, u, v, rays);
-  for (int i = 0; i < rays.size; ++i) {
-    counts.primary += is_ray(rays, i);
-    b.primary.slot[i] = i;
-    b.primary.weight[i] = 1;
-  }
-  trace_first_hits(frame, candidates, found, b, counts.trace);
-  dress_hits(frame, candidates, sample == 0 ? frame.features.first_sample : frame.features.other_samples,
-             b.primary);
+  for (int i = 0; i < rays.size; ++i) counts.primary += is_ray(rays, i);
+  trace_first_hits(frame, found, b, counts.trace);
+  dress_hits(frame, sample == 0 ? frame.features.first_sample : frame.features.other_samples, b);
   if (sample == 0) write_layers(frame, b.primary, film, counts);
-  if (frame.features.shade) add_colors(frame, candidates, b, film, counts);
+  if (frame.features.shade) add_colors(frame, b, film, counts);
 }
 
 // All samples of one block of tiles.
@@ -94,8 +114,8 @@ Frame make_frame(const Scene& scene, const View& view, const RenderSettings& set
     frame.first_id.push_back(ids);
     ids += static_cast<int>(object.materials.size());
   }
-  // crossings of several objects wait for their turn, ray by ray
-  if (frame.features.transparency && scene.objects.size() > 1) return frame;
+  // crossings of several objects wait for their turn, ray by ray; the cost of a ray is that of first_hit
+  if (film.has(Layer::cost) || (frame.features.transparency && scene.objects.size() > 1)) return frame;
   for (const SceneObject& object : scene.objects) frame.passes.push_back(object.surface->primary(view));
   if (std::ranges::none_of(frame.passes, [](const auto& pass) { return pass != nullptr; }))
     frame.passes.clear();

@@ -1,8 +1,24 @@
+#include <isocast/render/kernels.h>
+#include <isocast/render/lighting.h>
 #include <isocast/render/shade.h>
 
 #include <algorithm>
 
 namespace isocast {
+
+namespace {
+
+Vec3<double> vec(const Double3& v) { return {v[0], v[1], v[2]}; }
+
+Color lit(const Color& surface, double facing, double highlight) {
+  constexpr float kDiffuse = 0.75f, kSpecular = 0.12f;
+  Color color;
+  for (int c = 0; c < 3; ++c)
+    color[c] = kDiffuse * static_cast<float>(facing) * surface[c] + kSpecular * static_cast<float>(highlight);
+  return color;
+}
+
+}  // namespace
 
 Color ambient(const Color& surface) {
   constexpr float kAmbient = 0.15f;
@@ -10,35 +26,28 @@ Color ambient(const Color& surface) {
 }
 
 Color lit(const Color& surface, const Double3& normal, const Double3& to_light, const Double3& to_eye) {
-  constexpr float kDiffuse = 0.75f, kSpecular = 0.12f;
-  const double facing = dot(normal, to_light);
-  if (facing <= 0) return {0, 0, 0};
-  // cos^32 by squaring: the same bits with every library
-  double highlight = std::max(0.0, dot(normal, normalized(to_light + to_eye)));
-  for (int i = 0; i < 5; ++i) highlight *= highlight;
-  Color color;
-  for (int c = 0; c < 3; ++c)
-    color[c] = kDiffuse * static_cast<float>(facing) * surface[c] + kSpecular * static_cast<float>(highlight);
-  return color;
+  const auto [facing, highlight] = incidence(vec(normal), vec(to_light), vec(to_eye));
+  return lit(surface, facing, highlight);
 }
 
 void shade(const Frame& frame, const Wave& wave, Shadows& shadows, Color (&colors)[kStreamSize],
            RenderCounts& counts) {
-  const auto surface = [&](int i) { return material_of(frame.scene, wave.hits, i).color; };
+  const auto surface = [&](int i) { return material_of(frame.scene, *wave.hits, i).color; };
   for (int i = 0; i < wave.rays.size; ++i)
-    if (is_hit(wave.hits, i)) colors[i] = ambient(surface(i));
+    if (is_hit(*wave.hits, i)) colors[i] = ambient(surface(i));
 
   const std::size_t lights = std::max<std::size_t>(1, frame.lights.size());
   const float strength = 1 / static_cast<float>(lights);
   float visible[kStreamSize];
   std::ranges::fill(visible, 1.0f);
+  double facing[kStreamSize], highlight[kStreamSize];
   for (std::size_t l = 0; l < lights; ++l) {
     if (frame.features.shadows) shadows.trace(frame, wave, frame.lights[l], visible, counts);
+    const double* to_light = frame.lights.empty() ? nullptr : frame.lights[l].data();
+    render_kernels().light(wave.rays, *wave.hits, wave.dressed.normal, to_light, facing, highlight);
     for (int i = 0; i < wave.rays.size; ++i) {
-      if (!is_hit(wave.hits, i)) continue;
-      const Double3 to_eye = -1.0 * normalized(direction_of(wave.rays, i));
-      const Double3& to_light = frame.lights.empty() ? to_eye : frame.lights[l];
-      const Color light = lit(surface(i), normal_of(wave.dressed, i), to_light, to_eye);
+      if (!is_hit(*wave.hits, i)) continue;
+      const Color light = lit(surface(i), facing[i], highlight[i]);
       for (int c = 0; c < 3; ++c) colors[i][c] += strength * visible[i] * light[c];
     }
   }

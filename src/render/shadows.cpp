@@ -10,9 +10,9 @@ void Shadows::trace(const Frame& frame, const Wave& wave, const Double3& to_ligh
   rays_.size = 0;
   rays_.kind = RayKind::shadow;
   for (int i = 0; i < wave.rays.size; ++i) {
-    if (!is_hit(wave.hits, i) || dot(normal_of(wave.dressed, i), to_light) <= 0) continue;
+    if (!is_hit(*wave.hits, i) || dot(normal_of(wave.dressed, i), to_light) <= 0) continue;
     hit_of_[rays_.size] = i;
-    spawn(wave.rays, wave.hits, i, to_light, rays_);
+    spawn(wave.rays, *wave.hits, i, to_light, rays_);
   }
   counts.shadow += rays_.size;
   if (rays_.size == 0) return;

@@ -4,39 +4,66 @@
 
 namespace isocast {
 
-void trace_first_hits(const Frame& frame, std::span<const std::uint16_t> objects, const HitStream* found,
-                      TileBuffers& b, TraceCounts& counts) {
-  auto& [rays, hits, dressed, slot, weight] = b.primary;
-  if (found) hits = *found;
-  else {
+namespace {
+
+// What a ray that nothing holds back ends in, and every hit in the colour of its own.
+void add_opaque_colors(const Frame& frame, TileBuffers& b, Film& film, RenderCounts& counts) {
+  const RayStream& rays = b.primary.rays;
+  Color colors[kStreamSize];
+  shade(frame, b.primary, b.shadows, colors, counts);
+  const float share = 1.0f / static_cast<float>(frame.settings.spp);
+  for (int i = 0; i < rays.size; ++i) {
+    if (!is_ray(rays, i)) continue;
+    const bool hit = is_hit(*b.primary.hits, i);
+    const Color color = hit ? colors[i] : frame.scene.color_towards(direction_of(rays, i));
+    float* pixel = film.color(rays.id[i]);
+    for (int c = 0; c < 3; ++c) pixel[c] += share * color[c];
+    if (hit) pixel[3] += share;
+  }
+}
+
+}  // namespace
+
+void trace_first_hits(const Frame& frame, HitStream* found, TileBuffers& b, TraceCounts& counts) {
+  const RayStream& rays = b.primary.rays;
+  b.primary.hits = found ? found : &b.hits;
+  HitStream& hits = *b.primary.hits;
+  if (!found) {
     clear(hits);
     if (frame.proves) std::ranges::fill(hits.certificate, Certificate::proved_miss);
   }
   const auto has_pass = [&](std::uint16_t object) { return !frame.passes.empty() && frame.passes[object]; };
-  if (frame.features.transparency && !std::ranges::any_of(objects, has_pass)) {
-    b.crossings.first(frame.scene, objects, rays, hits, counts);
+  if (frame.features.transparency && !std::ranges::any_of(b.candidates, has_pass)) {
+    b.crossings.first(frame.scene, b.candidates, rays, hits, counts);
     return;
   }
-  for (const std::uint16_t object : objects)
+  for (const std::uint16_t object : b.candidates)
     if (!has_pass(object)) frame.scene.objects[object].surface->first_hit(rays, hits, counts);
 }
 
-void dress_hits(const Frame& frame, std::span<const std::uint16_t> objects, const DressWishes& wishes,
-                Wave& wave) {
+void dress_hits(const Frame& frame, const DressWishes& wishes, TileBuffers& b) {
   if (!wishes.normal && !wishes.position && !wishes.value) return;
-  for (const std::uint16_t object : objects)
-    frame.scene.objects[object].surface->dress(wave.rays, wave.hits, wishes, wave.dressed);
+  Wave& wave = b.primary;
+  for (const std::uint16_t object : b.candidates)
+    frame.scene.objects[object].surface->dress(wave.rays, *wave.hits, wishes, wave.dressed);
 }
 
-void add_colors(const Frame& frame, std::span<const std::uint16_t> objects, TileBuffers& b, Film& film,
-                RenderCounts& counts) {
-  auto& [rays, hits, dressed, slot, weight] = b.primary;
+void add_colors(const Frame& frame, TileBuffers& b, Film& film, RenderCounts& counts) {
+  if (!frame.features.transparency && frame.features.reflections == 0)
+    return add_opaque_colors(frame, b, film, counts);
+  Wave& primary = b.primary;
+  const RayStream& rays = primary.rays;
+  HitStream& hits = *primary.hits;
+  for (int i = 0; i < rays.size; ++i) {
+    primary.slot[i] = i;
+    primary.weight[i] = 1;
+  }
   Color sum[kStreamSize] = {};
   float through[kStreamSize];
   std::ranges::fill(through, 1.0f);
   for (int layer = 1;; ++layer) {
     Color colors[kStreamSize] = {};
-    b.reflections.color(frame, b.primary, b.shadows, colors, counts);
+    b.reflections.color(frame, primary, b.shadows, colors, counts);
     float opacity[kStreamSize] = {};
     bool more = false;
     for (int i = 0; i < rays.size; ++i) {
@@ -45,7 +72,7 @@ void add_colors(const Frame& frame, std::span<const std::uint16_t> objects, Tile
       if (opacity[i] < 1) more = true;
       else forget(hits, i);
     }
-    if (more) b.crossings.next(frame.scene, objects, rays, hits, counts);
+    if (more) b.crossings.next(frame.scene, b.candidates, rays, hits, counts);
     const bool last = layer == frame.settings.transparency_depth;
     for (int i = 0; i < rays.size; ++i) {
       if (last && opacity[i] > 0 && is_hit(hits, i)) opacity[i] = 1;
@@ -53,7 +80,7 @@ void add_colors(const Frame& frame, std::span<const std::uint16_t> objects, Tile
       through[i] *= 1 - opacity[i];
     }
     if (!more || last) break;
-    dress_hits(frame, objects, {.normal = true}, b.primary);
+    dress_hits(frame, {.normal = true}, b);
   }
 
   const float share = 1.0f / static_cast<float>(frame.settings.spp);

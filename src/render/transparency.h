@@ -3,28 +3,28 @@
 
 #include <isocast/render/reflections.h>
 
-#include <span>
-
 namespace isocast {
 
 /// What one thread needs for a tile: large.
+///
+/// candidates  numbers of the objects that the tile may meet
+/// hits        of the primary rays, where no pass keeps them
 struct TileBuffers {
+  std::vector<std::uint16_t> candidates;
   Wave primary;
+  HitStream hits;
   Crossings crossings;
   Reflections reflections;
   Shadows shadows;
 };
 
-/// Finds the first hits of a tile's primary rays.
+/// Finds the first hits of a tile's primary rays with the candidates.
 ///
-/// objects  the numbers of those that the tile may meet
-/// found    what the passes found, or null where they found nothing or there are none
-void trace_first_hits(const Frame& frame, std::span<const std::uint16_t> objects, const HitStream* found,
-                      TileBuffers& b, TraceCounts& counts);
+/// found  what the passes found, which is used further; null where they found nothing or there are none
+void trace_first_hits(const Frame& frame, HitStream* found, TileBuffers& b, TraceCounts& counts);
 
 /// Position, normal and value of the hits, as wished.
-void dress_hits(const Frame& frame, std::span<const std::uint16_t> objects, const DressWishes& wishes,
-                Wave& wave);
+void dress_hits(const Frame& frame, const DressWishes& wishes, TileBuffers& b);
 
 /// Adds a sample's share of colour to every pixel of the tile, front to back from the dressed first hits on.
 ///
@@ -35,7 +35,6 @@ void dress_hits(const Frame& frame, std::span<const std::uint16_t> objects, cons
 ///
 /// source  Knoll, Hijazi, Kensler, Schott, Hansen, Hagen: Fast ray tracing of arbitrary implicit surfaces
 ///         with interval and affine arithmetic, Computer Graphics Forum 28(1), 2009
-void add_colors(const Frame& frame, std::span<const std::uint16_t> objects, TileBuffers& b, Film& film,
-                RenderCounts& counts);
+void add_colors(const Frame& frame, TileBuffers& b, Film& film, RenderCounts& counts);
 
 }  // namespace isocast

@@ -24,15 +24,17 @@ template <Real R> ISO_HD inline R coefficient_error(const Cell<R>& cell) {
   return largest * (R(T(32) * kUnitRoundoff<T>) + R(7) * cell.slack) + R(T(64) * kSmallest<T>);
 }
 
-/// All coefficients above `error`, or below its negative: there is no root.
+/// All coefficients above `error`, or below its negative: there is no root. Not so where one is NaN, of
+/// corners whose sums overflow.
 template <Real R> ISO_HD inline Mask<R> has_one_sign(const BernsteinCubic<R>& p, R error) {
-  return (min(min(p.c0, p.c1), min(p.c2, p.c3)) > error) | (max(max(p.c0, p.c1), max(p.c2, p.c3)) < -error);
+  return ((p.c0 > error) & (p.c1 > error) & (p.c2 > error) & (p.c3 > error)) |
+         ((p.c0 < -error) & (p.c1 < -error) & (p.c2 < -error) & (p.c3 < -error));
 }
 /// The same of the derivative, where the ends have different signs: there is one root.
 template <Real R> ISO_HD inline Mask<R> has_one_root(const BernsteinCubic<R>& p, R error) {
   const R d0 = p.c1 - p.c0, d1 = p.c2 - p.c1, d2 = p.c3 - p.c2, least = R(4) * error;
-  const Mask<R> rises = (min(min(d0, d1), d2) > least) & (p.c0 < -error) & (p.c3 > error),
-                falls = (max(max(d0, d1), d2) < -least) & (p.c0 > error) & (p.c3 < -error);
+  const Mask<R> rises = (d0 > least) & (d1 > least) & (d2 > least) & (p.c0 < -error) & (p.c3 > error),
+                falls = (d0 < -least) & (d1 < -least) & (d2 < -least) & (p.c0 > error) & (p.c3 < -error);
   return rises | falls;
 }
 

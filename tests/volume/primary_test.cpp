@@ -1,0 +1,203 @@
+// Object order gives the bits of the walk: the same hits for every primary ray, whatever camera looks.
+#include <isocast/render/camera.h>
+#include <test_size.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "make_volume.h"
+
+using namespace isocast;
+using namespace isocast::test;
+
+namespace {
+
+constexpr std::array<std::int64_t, 3> kDims = {37, 30, 41};
+
+double wavy(std::int64_t i, std::int64_t j, std::int64_t k) {
+  const double x = double(i), y = double(j), z = double(k);
+  return 40 + 30 * std::sin(0.45 * x) * std::cos(0.5 * y) + 25 * std::sin(0.4 * z + 0.1 * x);
+}
+double rough(std::int64_t i, std::int64_t j, std::int64_t k) {
+  const std::uint64_t x = static_cast<std::uint64_t>(i + 100 * j + 10000 * k + 1) * 0x9e3779b97f4a7c15u;
+  return static_cast<double>(x >> 40 & 127);
+}
+// A plane that is met exactly: values that are zero at samples and on whole faces.
+double flat(std::int64_t i, std::int64_t j, std::int64_t k) { return double(i + j - k % 2) + 20; }
+
+std::shared_ptr<Volume> with_holes(std::shared_ptr<Volume> volume) {
+  auto* samples = reinterpret_cast<float*>(const_cast<std::byte*>(volume->samples));
+  for (std::int64_t i = 0; i < volume->count(); i += 97) samples[i] = std::nanf("");
+  for (std::int64_t i = 5; i < volume->count(); i += 211) samples[i] = INFINITY;
+  for (std::int64_t i = 50; i < volume->count(); i += 1009) samples[i] = -3e38f;
+  return volume;
+}
+
+template <class T> bool same(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+// The first slot whose answers differ, or -1. Slots without a hit have a certificate only.
+int first_difference(const HitStream& a, const HitStream& b) {
+  for (int i = 0; i < kStreamSize; ++i) {
+    if (is_hit(a, i) != is_hit(b, i) || a.certificate[i] != b.certificate[i]) return i;
+    if (a.object[i] != b.object[i]) return i;
+    if (!is_hit(a, i) || a.object[i] != 0) continue;
+    const bool equal = same(a.t[i], b.t[i]) && same(a.t_lo[i], b.t_lo[i]) && same(a.t_hi[i], b.t_hi[i]) &&
+                       same(a.s[i], b.s[i]) && same(a.s_hi[i], b.s_hi[i]) && a.cell[0][i] == b.cell[0][i] &&
+                       a.cell[1][i] == b.cell[1][i] && a.cell[2][i] == b.cell[2][i] &&
+                       a.sides[i] == b.sides[i] && a.iso[i] == b.iso[i];
+    if (!equal) return i;
+  }
+  return -1;
+}
+
+// Compares all blocks of a view; returns the number of hits.
+std::int64_t compare(const VolumeSurface& surface, const View& view, double u = 0.5, double v = 0.5,
+                     double bound = std::numeric_limits<double>::infinity()) {
+  const std::unique_ptr<PrimaryPass> pass = surface.primary(view);
+  REQUIRE(pass);
+  const auto rays = std::make_unique<RayStream>();
+  const auto expected = std::make_unique<HitStream>(), none = std::make_unique<HitStream>();
+  const auto block = std::make_unique<BlockHits>();
+  std::int64_t hits = 0;
+  const auto prepare = [&](HitStream& stream) {  // what another object has hit
+    for (int i = 0; i < kStreamSize; i += 3) {
+      stream.t[i] = bound;
+      stream.object[i] = 7;
+    }
+  };
+  const int block_pixels = kBlockTiles * kTileSize;
+  for (int by = 0; by * block_pixels < view.height(); ++by)
+    for (int bx = 0; bx * block_pixels < view.width(); ++bx) {
+      TraceCounts counts;
+      block->reset(surface.proves());
+      if (std::isfinite(bound))
+        for (int t = 0; t < kBlockStreams; ++t) prepare(block->tile(t % kBlockTiles, t / kBlockTiles));
+      pass->first_hits(bx, by, u, v, *block, counts);
+      for (int t = 0; t < kBlockStreams; ++t) {
+        const int x = t % kBlockTiles, y = t / kBlockTiles;
+        view.fill(bx * kBlockTiles + x, by * kBlockTiles + y, u, v, *rays);
+        clear(*expected);
+        if (surface.proves()) std::ranges::fill(expected->certificate, Certificate::proved_miss);
+        if (std::isfinite(bound)) prepare(*expected);
+        surface.first_hit(*rays, *expected, counts);
+        const HitStream* found = block->is_open(x, y) ? &block->tile(x, y) : nullptr;
+        if (!found) {
+          clear(*none);
+          if (surface.proves()) std::ranges::fill(none->certificate, Certificate::proved_miss);
+          found = none.get();
+        }
+        const int slot = first_difference(*expected, *found);
+        if (slot >= 0) {
+          INFO("slot " << slot << ": t " << expected->t[slot] << " and " << found->t[slot] << ", cells "
+                       << expected->cell[0][slot] << ' ' << expected->cell[1][slot] << ' '
+                       << expected->cell[2][slot] << " and " << found->cell[0][slot] << ' '
+                       << found->cell[1][slot] << ' ' << found->cell[2][slot]);
+          REQUIRE(slot == -1);
+        }
+        for (int i = 0; i < kStreamSize; ++i) hits += found->object[i] == 0;
+      }
+    }
+  return hits;
+}
+
+// Cameras far and near, inside, behind, looking along axes, perspective and orthographic.
+Camera random_camera(std::mt19937_64& random, const Box& box) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto pick = [&](unsigned n) { return random() % n; };
+  const double reach = box.diagonal() * (pick(3) == 0 ? 0.2 : pick(2) ? 0.6 : 2.5);
+  Camera camera;
+  camera.position = box.center() + reach * Double3{unit(random), unit(random), unit(random)};
+  camera.target =
+      pick(3) ? box.center() : camera.position + Double3{unit(random), unit(random), unit(random)};
+  camera.up = {unit(random), unit(random), 1};
+  camera.fov = pick(4) ? 20 + 60 * std::abs(unit(random)) : 150;
+  if (pick(4) == 0) {  // onto samples, along an axis or a diagonal
+    for (double& x : camera.position) x = std::round(x);
+    camera.target = camera.position;
+    camera.target[pick(3)] += pick(2) ? 1 : -1;
+    if (pick(2)) camera.target[pick(3)] += 1;
+    camera.up = {0.3, 0.5, 0.8};
+    if (length(camera.target - camera.position) == 0) camera.target[0] += 1;
+  }
+  if (pick(3) == 0) camera.ortho_height = box.diagonal() * (pick(2) ? 1 : 0.15);
+  return camera;
+}
+
+}  // namespace
+
+TEST_CASE("random cameras: every ray has the hit of the walk", "[property]") {
+  std::mt19937_64 random(11);
+  const auto smooth = make_volume(kDims, SampleType::f32, wavy),
+             noise = make_volume(kDims, SampleType::u8, rough),
+             plane = make_volume(kDims, SampleType::i16, flat),
+             holes = with_holes(make_volume(kDims, SampleType::f32, wavy)),
+             wide = make_volume(kDims, SampleType::f64, wavy);
+  struct Case {
+    std::shared_ptr<Volume> volume;
+    std::vector<double> iso;
+    const char* method;
+    bool precise = false;
+  };
+  const std::vector<Case> cases = {
+      {smooth, {41}, "marmitt"},          {smooth, {60, 20, 41}, "marmitt"},
+      {smooth, {41}, "neubauer"},         {smooth, {41}, "linear", true},
+      {smooth, {41}, "schwarze"},         {smooth, {41, 42}, "certified"},
+      {noise, {63.5}, "marmitt"},         {noise, {10, 63.5, 64, 100}, "midpoint"},
+      {noise, {63.5}, "certified"},       {plane, {50}, "marmitt"},
+      {plane, {50, 51}, "marmitt", true}, {holes, {41}, "marmitt"},
+      {holes, {41}, "certified"},         {wide, {41}, "marmitt", true}};
+  std::int64_t hits = 0;
+  for (std::int64_t round = 0; round < test::cases(140, 20000); ++round) {
+    const Case& c = cases[static_cast<std::size_t>(round) % cases.size()];
+    VolumeSurfaceOptions options =
+        surface_options(0, available_isas()[random() % available_isas().size()], c.method);
+    options.iso = c.iso;
+    options.double_precision = c.precise;
+    const VolumeSurface surface(c.volume, options);
+    const View view(random_camera(random, surface.bounds()), 150, 90 + 30 * int(random() % 2));
+    INFO("round " << round << ", " << c.method << ", " << name_of(options.isa));
+    const double bound = random() % 4 ? std::numeric_limits<double>::infinity() : surface.bounds().diagonal();
+    hits += compare(surface, view, random() % 2 ? 0.5 : 0.0, 0.5, bound);
+  }
+  CHECK(hits > 1000 * test::cases(140, 20000));
+}
+
+TEST_CASE("grids that are turned, sheared and mirrored: every ray has the hit of the walk") {
+  std::mt19937_64 random(12);
+  const auto volume = make_volume(kDims, SampleType::u16, wavy);
+  for (const Transform& transform :
+       {Transform{{{0.5, 0.2, -0.1, 3}, {-0.3, 0.8, 0.2, 100}, {0, 0.1, 2.5, -7}}},
+        Transform{{{-1, 0, 0, 0}, {0, 0, 1e-3, 5}, {0, 1e3, 0, 5}}}}) {
+    volume->world_from_grid = transform;
+    const VolumeSurface surface(volume, surface_options(41));
+    for (int round = 0; round < 6; ++round) {
+      const View view(random_camera(random, surface.bounds()), 130, 70);
+      compare(surface, view);
+    }
+  }
+}
+
+TEST_CASE("masks follow the iso-values, and the answers with them") {
+  VolumeSurfaceOptions options = surface_options(41);
+  VolumeSurface surface(make_volume(kDims, SampleType::f32, wavy), options);
+  const View view(frame(surface.bounds(), {}, 1), 96, 96);
+  for (const std::vector<double>& iso : {std::vector<double>{41}, {55, 41}, {55}, {20, 55, 80}, {41}}) {
+    options.iso = iso;
+    surface.set_options(options);
+    CHECK(compare(surface, view) > 1000);
+  }
+}
+
+TEST_CASE("cameras beyond all measure are left to the walk") {
+  const VolumeSurface surface(make_volume(kDims, SampleType::u8, wavy), surface_options(41));
+  Camera camera;
+  camera.target = {1, 2, 3};
+  camera.up = {0, 0, 1};
+  for (const double far : {1e14, 1e30, 1e200}) {
+    camera.position = {far, 0.3 * far, 0};
+    CHECK_FALSE(surface.primary(View(camera, 16, 16)));
+  }
+}

@@ -1,0 +1,102 @@
+// Which pixels of a patch a box of cells may meet, and whether what is there already hides it.
+#pragma once
+
+#include <isocast/math/pack.h>
+#include <isocast/volume/primary/kernels.h>
+
+namespace isocast::inline ISO_ISA {
+
+/// Pixels that what is said of a footprint may be off by.
+inline constexpr float kMargin = 0x1p-5f;
+
+/// to_pixel seen from a patch: pixel (0, 0) is its first sample.
+struct PatchMap {
+  double h[3][4];
+  float linear[3][3];
+};
+inline PatchMap patch_map(const ScreenMap& map, const PatchState& patch) {
+  PatchMap m;
+  const double u = patch.x + patch.offset_u, v = patch.y + patch.offset_v;
+  for (int c = 0; c < 4; ++c) {
+    const double w = map.to_pixel[2][c];
+    m.h[0][c] = map.to_pixel[0][c] - u * w;
+    m.h[1][c] = map.to_pixel[1][c] - v * w;
+    m.h[2][c] = w;
+  }
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) m.linear[r][c] = float(m.h[r][c]);
+  return m;
+}
+inline double apply(const double (&row)[4], const double (&p)[3]) {
+  return row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
+}
+
+/// The sums of a box's extent along a linear form: how far the form may be from its value at the centre.
+inline double extent(const double (&form)[4], double size) {
+  return 0.5 * size * (abs(form[0]) + abs(form[1]) + abs(form[2]));
+}
+/// Whether any ray of the patch may meet a box that is not wholly in front of the eye: false where it lies
+/// behind one of the planes of the patch's pyramid, or behind the eye.
+inline bool may_meet(const PatchMap& map, const PatchState& patch, const double (&center)[3], double size) {
+  const auto behind = [&](double x, double y, double w) {
+    double form[4];
+    for (int c = 0; c < 4; ++c) form[c] = x * map.h[0][c] + y * map.h[1][c] + w * map.h[2][c];
+    const double least = extent(form, size);
+    return apply(form, center) + least < -1e-6 * least;
+  };
+  const double m = double(kMargin);
+  return !behind(0, 0, 1) && !behind(1, 0, m) && !behind(-1, 0, patch.columns - 1 + m) && !behind(0, 1, m) &&
+         !behind(0, -1, patch.rows - 1 + m);
+}
+
+/// Pixels of a span; what is NaN reaches over all.
+struct PixelSpan {
+  int lo, hi;
+};
+inline PixelSpan clip_span(float center, float half, int lo, int hi) {
+  const float from = ceil(center - half - kMargin), to = floor(center + half + kMargin);
+  return {int(min(max(from, float(lo)), float(hi + 1))), int(max(min(to, float(hi)), float(lo - 1)))};
+}
+/// Those of a footprint in `clip`.
+inline PixelBox clip_footprint(float u, float v, float du, float dv, bool whole, const PixelBox& clip) {
+  if (whole) return clip;
+  const PixelSpan x = clip_span(u, du, clip.x_lo, clip.x_hi), y = clip_span(v, dv, clip.y_lo, clip.y_hi);
+  return {x.lo, x.hi, y.lo, y.hi};
+}
+
+/// No ray meets the box before this t.
+inline double nearest_t(const ScreenMap& map, const double (&center)[3], double size) {
+  const double x = apply(map.to_eye[0], center), radius = size * map.cell_radius;
+  if (map.orthographic) return x - radius - 1e-9 * (abs(x) + radius);
+  const double y = apply(map.to_eye[1], center), z = apply(map.to_eye[2], center),
+               far = sqrt(x * x + y * y + z * z);
+  return far - radius - 1e-9 * (far + radius);
+}
+
+/// The largest depth of a part of the patch.
+inline double farthest(PatchState& patch, int part) {
+  const std::uint64_t bit = std::uint64_t(1) << part;
+  if (!(patch.stale & bit)) return patch.far[part];
+  using R = Native<double>;
+  R far = R(-__builtin_inf());
+  const double* rays =
+      patch.depth + part / kPatchParts * kPartSize * kPatchPitch + part % kPatchParts * kPartSize;
+  for (int y = 0; y < kPartSize; ++y)
+    for (int x = 0; x < kPartSize; x += kWidth<R>) far = max(load<R>(rays + y * kPatchPitch + x), far);
+  double lanes[kWidth<R>];
+  store(lanes, far);
+  double largest = lanes[0];
+  for (const double lane : lanes) largest = max(lane, largest);
+  patch.stale &= ~bit;
+  return patch.far[part] = largest;
+}
+
+/// All rays of the pixels have met something before t.
+inline bool hidden(PatchState& patch, const PixelBox& pixels, double t) {
+  for (int y = pixels.y_lo / kPartSize; y <= pixels.y_hi / kPartSize; ++y)
+    for (int x = pixels.x_lo / kPartSize; x <= pixels.x_hi / kPartSize; ++x)
+      if (!(farthest(patch, y * kPatchParts + x) < t)) return false;
+  return true;
+}
+
+}  // namespace isocast::inline ISO_ISA
