@@ -48,6 +48,7 @@ class ImplicitSurface final : public Surface {
   [[nodiscard]] int component_count() const { return components_ ? components_->count() : 0; }
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] bool proves() const override { return options_.method.proves(); }
+  [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,

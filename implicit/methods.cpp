@@ -79,11 +79,12 @@ constexpr MethodOption kOffset = {"offset",
                                   "added to every iso-value: fattens a surface that is only touched"};
 
 constexpr MethodOption kInterval[] = {kEps,         kEpsRel, kDelta, kBisection, kShadow,  kNormalStep,
-                                      kNormalGrows, kBeams,  kBeams, kPrune,     kRounding};
+                                      kNormalGrows, kBeams,  kPrune, kRounding};
 constexpr MethodOption kAffine[] = {kEps,        kEpsRel,      kDelta, kBisection, kTrim,    kShadow,
                                     kNormalStep, kNormalGrows, kBeams, kPrune,     kRounding};
+constexpr MethodOption kCertified[] = {kEps, kEpsRel, kShadow, kNormalStep, kNormalGrows, kPrune};
 constexpr MethodOption kDerivative[] = {kEps,         kEpsRel, kDelta, kShadow, kNormalStep,
-                                        kNormalGrows, kBeams,  kBeams, kPrune,  kRounding};
+                                        kNormalGrows, kBeams,  kPrune, kRounding};
 constexpr MethodOption kMarching[] = {
     kStep,
     tau("tau1", "where |f - iso| is at most this, half a step; 0: the median gradient times the base step"),
@@ -98,19 +99,35 @@ constexpr MethodOption kMarching[] = {
 
 constexpr const char* kMitchell =
     "Mitchell: Robust ray intersection with interval arithmetic, Graphics Interface 1990";
+constexpr const char* kGanacim =
+    "Ganacim, de Figueiredo, Nehab: Beam casting implicit surfaces on the GPU with interval arithmetic, "
+    "SIBGRAPI 2011";
 constexpr const char* kMoore =
     "Moore, Kearfott, Cloud: Introduction to interval analysis, SIAM 2009, chapter 8";
 constexpr const char* kSingh =
     "Singh, Narayanan: Real-time ray tracing of implicit surfaces on the GPU, IEEE Transactions on "
     "Visualization and Computer Graphics 16(2), 2010";
 
-constexpr Method kMethods[kFormulaMethodCount] = {
+constexpr Method kMethods[] = {
     {"interval", "formula", "both", "library", "float double", kInterval, kKnoll},
     {"affine", "formula", "both", "library", "float double", kAffine, kKnoll},
     {"mitchell", "formula", "both", "library", "float double", kDerivative, kMitchell},
     {"interval-newton", "formula", "both", "library", "float double", kDerivative, kMoore},
     {"amp-sign", "formula", "nothing", "library", "float double", kMarching, kSingh},
     {"amp-taylor", "formula", "nothing", "library", "float double", kMarching, kSingh},
+    {"certified", "formula", "both", "library", "float double", kCertified, kGanacim},
+};
+
+// What each row runs: on rays of the camera, and on others.
+struct Run {
+  FormulaPass pass;
+  FormulaMethod method;
+};
+constexpr Run kRuns[std::size(kMethods)] = {
+    {FormulaPass::none, FormulaMethod::interval},   {FormulaPass::none, FormulaMethod::affine},
+    {FormulaPass::none, FormulaMethod::mitchell},   {FormulaPass::none, FormulaMethod::interval_newton},
+    {FormulaPass::none, FormulaMethod::amp_sign},   {FormulaPass::none, FormulaMethod::amp_taylor},
+    {FormulaPass::certified, FormulaMethod::affine},
 };
 
 }  // namespace
@@ -122,7 +139,8 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   const Method& method = find_method(kMethods, name);
   const std::map<std::string, double> values = resolve_options(method, settings);
   FormulaMethodChoice choice;
-  choice.method = static_cast<FormulaMethod>(&method - kMethods);
+  const Run& run = kRuns[&method - kMethods];
+  choice.method = run.method, choice.pass = run.pass;
   const auto value = [&values](const char* option, double otherwise) {
     const auto found = values.find(option);
     return found == values.end() ? otherwise : found->second;

@@ -10,11 +10,15 @@
 
 namespace isocast {
 
-/// In the order of FormulaMethod.
+/// What finds the primary rays of a picture together, if anything does.
+enum class FormulaPass : std::uint8_t { none, certified };
+
+/// Those of FormulaMethod first, in its order; then those with a pass.
 [[nodiscard]] std::span<const Method> formula_methods();
 
 /// A row with the values of its options; lengths in world units, 0 where the domain or f's probe decides.
 ///
+/// method    of rays that no pass finds
 /// eps       a length; 0: eps_rel, a fraction of the domain's longest edge
 /// options   step and tau may be 0 as well
 /// offset    added to every iso-value
@@ -27,6 +31,7 @@ namespace isocast {
 ///                 ray over the domain's longest edge
 struct FormulaMethodChoice {
   FormulaMethod method = FormulaMethod::affine;
+  FormulaPass pass = FormulaPass::none;
   FormulaOptions options;
   double eps = 0, eps_rel = 0x1p-11, offset = 0, shadow_eps_rel = 0, normal_step = 1;
   bool normal_grows = false, prune = true, nearest = false, beams = true;

@@ -1,0 +1,143 @@
+// The first roots of all rays of a block, by halving beams of them until each shows one crossing or none.
+#pragma once
+
+#include <isocast/implicit/beams/beam_lanes.h>
+#include <isocast/implicit/beams/block_leaves.h>
+
+namespace isocast::inline ISO_ISA {
+
+/// A quadtree of beams over a block and, in each beam, four slabs of depth, nearest first; sixty-four parts of
+/// beams are looked at together, wherever they are in the tree.
+///
+/// F         AffineForm<R, 3>
+/// parts     one that the form proves empty is dropped; one where all rays cross, in brackets of at most eps,
+///           is given to its rays; where the form is straight enough depth is counted from the plane of the
+///           crossing from then on, so that brackets shrink quadratically; else it is quartered, in depth too
+/// unclear   a ray whose parts of at most eps are still not told is left open from there on
+/// order     none but for speed: a ray keeps the nearest of its crossings, and parts behind that of each of
+///           their rays are dropped
+/// source    Ganacim, de Figueiredo, Nehab: Beam casting implicit surfaces on the GPU with interval
+///           arithmetic, SIBGRAPI 2011, for the beams; forms that follow their slant, and its, are ours
+template <class F, Real R> class BeamTree {
+  using T = Scalar<R>;
+  static constexpr int kMostSlabs = 4;
+
+ public:
+  /// Bytes for each register of the tape.
+  static constexpr std::size_t kRegisterBytes = BeamLanes<R>::kPacks * sizeof(F);
+
+  ISO_HD BeamTree(const FormulaQuery<T>& query, const BlockRays<T>& rays, BlockRoots<T>& roots,
+                  void* registers)
+      : query_(query), rays_(rays), roots_(roots), registers_(registers), leaves_(rays, roots) {}
+
+  ISO_HD void run() {
+    roots_.evaluations = 0;
+    const DepthRange<T> all = {-rays_.before, rays_.most_depth};
+    push({0, 0, kBlockSide, false, false, T(0), T(0), T(0), all, all});
+    while (waiting_ > 0) {
+      lanes_.count = part_count_ = 0;
+      while (waiting_ > 0 && take()) {}
+      if (lanes_.count == 0) continue;
+      lanes_.template look<F>(query_, rays_, registers_);
+      roots_.evaluations += lanes_.count;
+      for (int i = 0; i < part_count_; ++i) settle(parts_[i]);
+    }
+  }
+
+ private:
+  // A node, or a quarter of one, in work: its lanes from `lane` on.
+  struct BeamPart {
+    BeamNode<T> node;
+    int lane, lanes;
+  };
+
+  ISO_HD void push(const BeamNode<T>& node) {
+    if (waiting_ < kMostNodes) roots_.stack[waiting_++] = node;
+    else leaves_.leave(node.x, node.y, node.size, node.window.from);
+  }
+
+  // Takes the last node into work; false where there is no room for it.
+  ISO_HD bool take() {
+    const BeamNode<T>& node = roots_.stack[waiting_ - 1];
+    const int quarters = node.size > 1 ? 4 : 1;
+    if (lanes_.count + quarters * kMostSlabs > kBeamLanes) return false;
+    --waiting_;
+    // the stack's place is free for others while this is in work
+    const BeamNode<T> whole = node;
+    for (int q = 0; q < quarters; ++q) take_part(whole, q);
+    return true;
+  }
+  ISO_HD void take_part(const BeamNode<T>& whole, int quarter) {
+    BeamNode<T> part = whole;
+    if (whole.size > 1) {
+      part.size = whole.size / 2;
+      part.x += quarter % 2 * part.size, part.y += quarter / 2 * part.size;
+      // the plane is counted from the quarter's middle
+      const T off = T(0.5) * T(part.size);
+      part.at += (quarter % 2 ? off : -off) * whole.along_u + (quarter / 2 ? off : -off) * whole.along_v;
+    }
+    if (part.x >= rays_.columns || part.y >= rays_.rows) return;
+    if (!part.slanted && !part.inside && !cut_to_box(part)) return;
+    if (leaves_.hides(part.x, part.y, part.size, part.window.from)) return;
+    const int slabs = slabs_of(part);
+    parts_[part_count_++] = {part, lanes_.count, slabs};
+    T edge = part.now.from;
+    for (int s = 1; s <= slabs; ++s) {
+      const T next = s == slabs ? part.now.to : part.now.from + part.now.length() * (T(s) / T(slabs));
+      lanes_.add(part, {edge, next});
+      edge = next;
+    }
+  }
+  // Slabs as deep as the beam is wide, at most four.
+  ISO_HD int slabs_of(const BeamNode<T>& part) const {
+    if (part.slanted) return 1;
+    if (part.size == 1) return kMostSlabs;
+    const T width = T(part.size) * (rays_.pixel + part.now.to * rays_.pixel_spread) * T(TUNE_W);
+    int slabs = 1;
+    while (slabs < kMostSlabs && T(slabs) * width < part.now.length()) slabs *= 2;
+    return slabs;
+  }
+  // Cuts a part to the domain; false where nothing of it is left.
+  ISO_HD bool cut_to_box(BeamNode<T>& part) const {
+    const T half = T(0.5) * T(part.size - 1), middle = T(0.5) * T(kBlockSide - 1);
+    const BoxRange<T> box = box_range(rays_, T(part.x) + half - middle, T(part.y) + half - middle, half);
+    part.inside = part.window.from >= box.enters_to && part.window.to <= box.leaves_from;
+    part.now = part.window = {max(part.window.from, box.enters_from), min(part.window.to, box.leaves_to)};
+    return part.now.from <= part.now.to;
+  }
+
+  // What comes next where a part may hold roots, the nearest slab last.
+  ISO_HD void settle(const BeamPart& part) {
+    for (int l = part.lane + part.lanes - 1; l >= part.lane; --l) {
+      const SlotBits bit = SlotBits(1) << l;
+      if (!(lanes_.open & bit)) continue;
+      const BeamNode<T>& node = part.node;
+      if (lanes_.narrow & bit) {
+        leaves_.cross({node.x, node.y, node.size, lanes_.next_at[l], lanes_.next_u[l], lanes_.next_v[l],
+                       lanes_.radius[l], lanes_.slope[l], static_cast<std::uint8_t>(lanes_.iso[l]),
+                       (lanes_.rises & bit) != 0, node.inside});
+        continue;
+      }
+      const DepthRange<T> window = {lanes_.next_from[l], lanes_.next_to[l]};
+      if (lanes_.straight & bit) {
+        const T around = T(TUNE_A) * lanes_.radius[l];
+        push({node.x, node.y, node.size, true, node.inside, lanes_.next_at[l], lanes_.next_u[l],
+              lanes_.next_v[l], {-around, around}, window});
+      } else if (node.size == 1 && window.length() <= max(rays_.eps, rays_.least)) {
+        leaves_.leave(node.x, node.y, 1, window.from);
+      } else
+        push({node.x, node.y, node.size, false, node.inside, T(0), T(0), T(0), window, window});
+    }
+  }
+
+  const FormulaQuery<T>& query_;
+  const BlockRays<T>& rays_;
+  BlockRoots<T>& roots_;
+  void* registers_;
+  BlockLeaves<R> leaves_;
+  BeamLanes<R> lanes_;
+  BeamPart parts_[kBeamLanes];
+  int part_count_ = 0, waiting_ = 0;
+};
+
+}  // namespace isocast::inline ISO_ISA
