@@ -8,6 +8,8 @@
 #define TUNE_W 2
 #define TUNE_A 1.25f
 #define TUNE_S 0.25
+#define TUNE_L 1e30f
+#define TUNE_R 2
 #endif
 namespace isocast::inline ISO_ISA {
 
@@ -16,7 +18,8 @@ inline constexpr int kBeamLanes = 64;
 /// Parts of beams in structure of arrays: pixels within `half` of (u, v), depths from `from` to `to` behind the
 /// plane at + (u' - u) along_u + (v' - v) along_v, of which those in the window are asked for.
 ///
-/// open      the part may hold roots: those that are asked for lie in the window next_from, next_to
+/// open      the part may hold roots: those that are asked for lie in the window next_from, next_to, and from
+///           `near` to `far` behind the plane
 /// narrow    every ray has one crossing there, in a bracket of at most eps
 /// straight  the roots lie close to a plane, compared with the part
 /// next_at, next_u, next_v, radius  narrow or straight: the plane, and how close in depth
@@ -29,7 +32,7 @@ template <Real R> struct BeamLanes {
   alignas(64) T u[kBeamLanes], v[kBeamLanes], half[kBeamLanes], at[kBeamLanes], along_u[kBeamLanes],
       along_v[kBeamLanes], from[kBeamLanes], to[kBeamLanes];
   alignas(64) T window_from[kBeamLanes], window_to[kBeamLanes];
-  alignas(64) T next_from[kBeamLanes], next_to[kBeamLanes], next_at[kBeamLanes], next_u[kBeamLanes],
+  alignas(64) T near[kBeamLanes], far[kBeamLanes], next_from[kBeamLanes], next_to[kBeamLanes], next_at[kBeamLanes], next_u[kBeamLanes],
       next_v[kBeamLanes], radius[kBeamLanes], slope[kBeamLanes], iso[kBeamLanes];
   SlotBits open, narrow, straight, rises;
 
@@ -104,19 +107,19 @@ template <Real R> struct BeamLanes {
             pv = get(along_v, p), plane = get(at, p);
     const R tilt = h * (abs(pu) + abs(pv));
     const R rounding = R(T(8) * kSpacing<T>) * (abs(plane) + tilt + abs(start) + abs(end));
-    const R near = max(get(window_from, p), plane - tilt + (start + found.levels.near * depth) - rounding),
-            far = min(get(window_to, p), plane + tilt + (start + found.levels.far * depth) + rounding);
-    put(next_from, p, near), put(next_to, p, far);
-    put_lanes<R>(open, p, !(out | (near > far)));
+    const R k0 = start + found.levels.near * depth - rounding, k1 = start + found.levels.far * depth + rounding;
+    const R first = max(get(window_from, p), plane - tilt + k0), last = min(get(window_to, p), plane + tilt + k1);
+    put(near, p, k0), put(far, p, k1), put(next_from, p, first), put(next_to, p, last);
+    put_lanes<R>(open, p, !(out | (first > last)));
 
     // the plane of the crossing
     const R per_pixel = select(h > R(T(0)), depth / max(h, R(T(0.5))), R(T(0)));
     const R u1 = pu + found.along_u * per_pixel, v1 = pv + found.along_v * per_pixel,
             at1 = plane + (start + found.at * depth), tilt1 = h * (abs(u1) + abs(v1));
     const R distance = found.radius * depth + rounding + R(T(8) * kSpacing<T>) * (abs(at1) + tilt1);
-    const R slanted = max(R(T(1)), abs(found.along_u) + abs(found.along_v));
+    const R slanted = abs(found.along_u) + abs(found.along_v);
     put(next_at, p, at1), put(next_u, p, u1), put(next_v, p, v1), put(radius, p, distance);
-    put_lanes<R>(straight, p, single & (found.radius <= select(h > R(T(0)), R(T(TUNE_S)) * slanted, R(T(0.125)))));
+    put_lanes<R>(straight, p, single & (slanted <= R(T(TUNE_L))) & (found.radius <= R(T(TUNE_S)) * max(R(T(1)), slanted)));
     put_lanes<R>(narrow, p, single & found.levels.alone() & (R(T(2)) * distance <= eps));
     put_lanes<R>(rises, p, found.levels.rises);
     put(slope, p, slope_of(f) / depth);

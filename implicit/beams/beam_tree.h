@@ -2,7 +2,7 @@
 #pragma once
 
 #include <isocast/implicit/beams/beam_lanes.h>
-#include <isocast/implicit/beams/block_leaves.h>
+#include <isocast/implicit/beams/ray_search.h>
 
 namespace isocast::inline ISO_ISA {
 
@@ -28,12 +28,13 @@ template <class F, Real R> class BeamTree {
 
   ISO_HD BeamTree(const FormulaQuery<T>& query, const BlockRays<T>& rays, BlockRoots<T>& roots,
                   void* registers)
-      : query_(query), rays_(rays), roots_(roots), registers_(registers), leaves_(rays, roots) {}
+      : query_(query), rays_(rays), roots_(roots), registers_(registers), leaves_(rays, roots),
+        rays_search_(query, rays, roots, leaves_, registers) {}
 
   ISO_HD void run() {
     roots_.evaluations = 0;
     const DepthRange<T> all = {-rays_.before, rays_.most_depth};
-    push({0, 0, kBlockSide, false, false, T(0), T(0), T(0), all, all});
+    push({0, 0, kBlockSide, false, false, false, T(0), T(0), T(0), all, all});
     while (waiting_ > 0) {
       lanes_.count = part_count_ = 0;
       while (waiting_ > 0 && take()) {}
@@ -42,6 +43,7 @@ template <class F, Real R> class BeamTree {
       roots_.evaluations += lanes_.count;
       for (int i = 0; i < part_count_; ++i) settle(parts_[i]);
     }
+    rays_search_.run();
   }
 
  private:
@@ -59,7 +61,7 @@ template <class F, Real R> class BeamTree {
   // Takes the last node into work; false where there is no room for it.
   ISO_HD bool take() {
     const BeamNode<T>& node = roots_.stack[waiting_ - 1];
-    const int quarters = node.size > 1 ? 4 : 1;
+    const int quarters = node.whole ? 1 : 4;
     if (lanes_.count + quarters * kMostSlabs > kBeamLanes) return false;
     --waiting_;
     // the stack's place is free for others while this is in work
@@ -69,7 +71,7 @@ template <class F, Real R> class BeamTree {
   }
   ISO_HD void take_part(const BeamNode<T>& whole, int quarter) {
     BeamNode<T> part = whole;
-    if (whole.size > 1) {
+    if (!whole.whole) {
       part.size = whole.size / 2;
       part.x += quarter % 2 * part.size, part.y += quarter / 2 * part.size;
       // the plane is counted from the quarter's middle
@@ -91,7 +93,6 @@ template <class F, Real R> class BeamTree {
   // Slabs as deep as the beam is wide, at most four.
   ISO_HD int slabs_of(const BeamNode<T>& part) const {
     if (part.slanted) return 1;
-    if (part.size == 1) return kMostSlabs;
     const T width = T(part.size) * (rays_.pixel + part.now.to * rays_.pixel_spread) * T(TUNE_W);
     int slabs = 1;
     while (slabs < kMostSlabs && T(slabs) * width < part.now.length()) slabs *= 2;
@@ -119,16 +120,36 @@ template <class F, Real R> class BeamTree {
         continue;
       }
       const DepthRange<T> window = {lanes_.next_from[l], lanes_.next_to[l]};
+      BeamNode<T> next = {node.x, node.y, node.size, false, node.inside, false, T(0), T(0), T(0), window, window};
+      const bool narrower = T(2) * (lanes_.far[l] - lanes_.near[l]) < window.length();
       if (lanes_.straight & bit) {
         const T around = T(TUNE_A) * lanes_.radius[l];
-        push({node.x, node.y, node.size, true, node.inside, lanes_.next_at[l], lanes_.next_u[l],
-              lanes_.next_v[l], {-around, around}, window});
-      } else if (node.size == 1 && window.length() <= max(rays_.eps, rays_.least)) {
-        leaves_.leave(node.x, node.y, 1, window.from);
-      } else
-        push({node.x, node.y, node.size, false, node.inside, T(0), T(0), T(0), window, window});
+        next.slanted = true, next.whole = !node.slanted;
+        next.at = lanes_.next_at[l], next.along_u = lanes_.next_u[l], next.along_v = lanes_.next_v[l];
+        next.now = {-around, around};
+      } else if (node.slanted && narrower) {
+        next.slanted = true;
+        next.at = node.at, next.along_u = node.along_u, next.along_v = node.along_v;
+        next.now = {lanes_.near[l], lanes_.far[l]};
+      }
+      if (node.size > kSmallest) push(next);
+      else search_rays(next);
     }
   }
+  // The rays of a node, each for itself.
+  ISO_HD void search_rays(const BeamNode<T>& node) {
+    if (rays_search_.is_full()) rays_search_.run();
+    const T middle = T(0.5) * T(node.size - 1);
+    for (int y = 0; y < node.size; ++y)
+      for (int x = 0; x < node.size; ++x) {
+        if (node.x + x >= rays_.columns || node.y + y >= rays_.rows) continue;
+        const T plane = node.at + (T(x) - middle) * node.along_u + (T(y) - middle) * node.along_v;
+        rays_search_.add({static_cast<std::int16_t>(node.x + x), static_cast<std::int16_t>(node.y + y), node.inside,
+                   max(node.window.from, plane + node.now.from), min(node.window.to, plane + node.now.to)});
+      }
+  }
+  // Beams of so many pixels a side are not divided.
+  static constexpr int kSmallest = TUNE_R;
 
   const FormulaQuery<T>& query_;
   const BlockRays<T>& rays_;
@@ -136,6 +157,7 @@ template <class F, Real R> class BeamTree {
   void* registers_;
   BlockLeaves<R> leaves_;
   BeamLanes<R> lanes_;
+  RaySearch<R> rays_search_;
   BeamPart parts_[kBeamLanes];
   int part_count_ = 0, waiting_ = 0;
 };

@@ -51,12 +51,21 @@ template <class T> struct DepthRange {
 /// slanted  the plane is where a crossing was found, and `now` holds what is in the window of it on every ray;
 ///          else the plane is 0, and `now` the window
 /// inside   the window lies in the domain
+/// whole    to be looked at as it is, before it is quartered
 template <class T> struct BeamNode {
   int x, y, size;
-  bool slanted, inside;
+  bool slanted, inside, whole;
   T at, along_u, along_v;
   DepthRange<T> now, window;
 };
+
+/// A part of one ray that is to be searched for its first root; `inside`: it lies in the domain.
+template <class T> struct RayPiece {
+  std::int16_t x, y;
+  bool inside;
+  T from, to;
+};
+inline constexpr int kMostPieces = 2048;
 
 /// Nodes that wait at once: sixty-four for each of the levels of halving and of quartering that there can be.
 inline constexpr int kMostNodes = 4096;
@@ -68,12 +77,13 @@ inline constexpr int kMostNodes = 4096;
 /// t, slope  the best guess at it, and df/dt there
 /// side      i + 1 where f rises through iso-value i, -i - 1 where it falls
 /// unclear   nothing is known of roots from this depth on; +inf: there is no such depth
-/// stack     for the search
+/// stack, pieces  for the search
 template <class T> struct alignas(64) BlockRoots {
   T lo[kBlockPixels], hi[kBlockPixels], t[kBlockPixels], slope[kBlockPixels], side[kBlockPixels],
       unclear[kBlockPixels];
   std::int64_t evaluations;
   BeamNode<T> stack[kMostNodes];
+  RayPiece<T> pieces[kMostPieces];
 };
 
 }  // namespace isocast

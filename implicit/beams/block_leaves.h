@@ -69,13 +69,11 @@ template <Real R> class BlockLeaves {
     return true;
   }
 
-  /// Roots of a square's rays from `depth` on are not known.
+  /// Roots of rays from `depth` on are not known: of one, of a square of them.
+  ISO_HD void leave(int slot, T depth) { roots_.unclear[slot] = min(roots_.unclear[slot], depth); }
   ISO_HD void leave(int x, int y, int size, T depth) {
     for (int j = y; j < y + size && j < rays_.rows; ++j)
-      for (int i = x; i < x + size && i < rays_.columns; ++i) {
-        T& unclear = roots_.unclear[pixel_slot(i, j)];
-        unclear = min(unclear, depth);
-      }
+      for (int i = x; i < x + size && i < rays_.columns; ++i) leave(pixel_slot(i, j), depth);
   }
 
   /// Gives the crossing to all rays of the beam that are in the domain there.
@@ -88,23 +86,34 @@ template <Real R> class BlockLeaves {
         const R u = column(x, p), v = row(y, p);
         const R t = R(beam.at) + (u - middle_x) * R(beam.along_u) + (v - middle_y) * R(beam.along_v);
         const Mask<R> here = lanes_of<R>(SlotBits(square.lanes), p);
-        if (beam.inside) give(beam, slot + p * kWidth<R>, t, here);
-        else give(beam, slot + p * kWidth<R>, t, here & in_domain(beam, slot + p * kWidth<R>, u, v, t, here));
+        const int first = slot + p * kWidth<R>;
+        int slots[kWidth<R>];
+        for (int l = 0; l < kWidth<R>; ++l) slots[l] = first + l;
+        give(beam, first, t,
+             beam.inside ? here
+                         : here & in_domain(u - side(), v - side(), t - R(beam.radius), t + R(beam.radius), here,
+                                            slots));
       }
     });
   }
 
- private:
-  // Rays that have the crossing in the domain; those of which a face of it cuts the bracket are left.
-  ISO_HD Mask<R> in_domain(const BeamCrossing<T>& beam, int slot, R u, R v, R t, Mask<R> here) {
-    const R lo = t - R(beam.radius), hi = t + R(beam.radius), side = R(T(0.5) * T(kBlockSide - 1));
-    const BoxRange<R> box = box_range(rays_, u - side, v - side, R(T(0)));
+  /// Which rays (u, v) have a bracket in the domain; those of which a face of it cuts the bracket are left.
+  ISO_HD Mask<R> in_domain(R u, R v, R lo, R hi, Mask<R> here, const int* slots) {
+    const BoxRange<R> box = box_range(rays_, u, v, R(T(0)));
     const Mask<R> inside = (lo >= box.enters_to) & (hi <= box.leaves_from),
                   outside = (hi < box.enters_from) | (lo > box.leaves_to);
-    const Mask<R> cut = here & (!(inside | outside)) & (lo < load<R>(roots_.lo + slot));
-    if (any(cut)) put(roots_.unclear + slot, cut, min(load<R>(roots_.unclear + slot), lo));
+    const Mask<R> cut = here & !(inside | outside);
+    T depth[kWidth<R>];
+    store(depth, lo);
+    for (unsigned rest = bits_of(cut); rest; rest &= rest - 1) {
+      const int l = __builtin_ctz(rest);
+      leave(slots[l], depth[l]);
+    }
     return inside;
   }
+
+ private:
+  ISO_HD static R side() { return R(T(0.5) * T(kBlockSide - 1)); }
   ISO_HD void give(const BeamCrossing<T>& beam, int slot, R t, Mask<R> where) {
     const R lo = t - R(beam.radius);
     const Mask<R> nearer = where & (lo < load<R>(roots_.lo + slot));
