@@ -34,7 +34,7 @@ template <class F, Real R> class BeamTree {
   ISO_HD void run() {
     roots_.evaluations = 0;
     const DepthRange<T> all = {-rays_.before, rays_.most_depth};
-    push({0, 0, kBlockSide, false, false, false, T(0), T(0), T(0), all, all});
+    *push() = {0, 0, kBlockSide, false, false, false, T(0), T(0), T(0), all, all};
     while (waiting_ > 0) {
       lanes_.count = part_count_ = 0;
       while (waiting_ > 0 && take()) {}
@@ -53,10 +53,8 @@ template <class F, Real R> class BeamTree {
     int lane, lanes;
   };
 
-  ISO_HD void push(const BeamNode<T>& node) {
-    if (waiting_ < kMostNodes) roots_.stack[waiting_++] = node;
-    else leaves_.leave(node.x, node.y, node.size, node.window.from);
-  }
+  // A new node to fill in, in its place; null where there is no room.
+  ISO_HD BeamNode<T>* push() { return waiting_ < kMostNodes ? roots_.stack + waiting_++ : nullptr; }
 
   // Takes the last node into work; false where there is no room for it.
   ISO_HD bool take() {
@@ -64,25 +62,26 @@ template <class F, Real R> class BeamTree {
     const int quarters = node.whole ? 1 : 4;
     if (lanes_.count + quarters * kMostSlabs > kBeamLanes) return false;
     --waiting_;
-    // the stack's place is free for others while this is in work
-    const BeamNode<T> whole = node;
-    for (int q = 0; q < quarters; ++q) take_part(whole, q);
+    for (int q = 0; q < quarters; ++q) take_part(node, q);
     return true;
   }
-  ISO_HD void take_part(const BeamNode<T>& whole, int quarter) {
-    BeamNode<T> part = whole;
-    if (!whole.whole) {
-      part.size = whole.size / 2;
-      part.x += quarter % 2 * part.size, part.y += quarter / 2 * part.size;
-      // the plane is counted from the quarter's middle
-      const T off = T(0.5) * T(part.size);
-      part.at += (quarter % 2 ? off : -off) * whole.along_u + (quarter / 2 ? off : -off) * whole.along_v;
-    }
+  ISO_HD void take_part(const BeamNode<T>& node, int quarter) {
+    BeamPart& work = parts_[part_count_];
+    BeamNode<T>& part = work.node;
+    part.size = node.whole ? node.size : node.size / 2;
+    part.x = node.x + quarter % 2 * part.size, part.y = node.y + quarter / 2 * part.size;
     if (part.x >= rays_.columns || part.y >= rays_.rows) return;
+    part.slanted = node.slanted, part.inside = node.inside;
+    part.now = node.now, part.window = node.window;
     if (!part.slanted && !part.inside && !cut_to_box(part)) return;
     if (leaves_.hides(part.x, part.y, part.size, part.window.from)) return;
+    // the plane is counted from the part's middle
+    const T off = node.whole ? T(0) : T(0.5) * T(part.size);
+    part.along_u = node.along_u, part.along_v = node.along_v;
+    part.at = node.at + ((quarter % 2 ? off : -off) * part.along_u + (quarter / 2 ? off : -off) * part.along_v);
     const int slabs = slabs_of(part);
-    parts_[part_count_++] = {part, lanes_.count, slabs};
+    work.lane = lanes_.count, work.lanes = slabs;
+    ++part_count_;
     T edge = part.now.from;
     for (int s = 1; s <= slabs; ++s) {
       const T next = s == slabs ? part.now.to : part.now.from + part.now.length() * (T(s) / T(slabs));
@@ -119,29 +118,38 @@ template <class F, Real R> class BeamTree {
                        (lanes_.rises & bit) != 0, node.inside});
         continue;
       }
-      const DepthRange<T> window = {lanes_.next_from[l], lanes_.next_to[l]};
-      BeamNode<T> next = {node.x, node.y, node.size, false, node.inside, false, T(0), T(0), T(0), window, window};
-      const bool narrower = T(2) * (lanes_.far[l] - lanes_.near[l]) < window.length();
-      if (lanes_.straight & bit) {
-        const T around = T(TUNE_A) * lanes_.radius[l];
-        next.slanted = true, next.whole = !node.slanted;
-        next.at = lanes_.next_at[l], next.along_u = lanes_.next_u[l], next.along_v = lanes_.next_v[l];
-        next.now = {-around, around};
-      } else if (node.slanted && narrower) {
-        next.slanted = true;
-        next.at = node.at, next.along_u = node.along_u, next.along_v = node.along_v;
-        next.now = {lanes_.near[l], lanes_.far[l]};
-      }
-      if (node.size > kSmallest) push(next);
-      else search_rays(next);
+      go_on(node, l, (lanes_.straight & bit) != 0);
     }
+  }
+  ISO_HD void go_on(const BeamNode<T>& part, int l, bool straight) {
+    BeamNode<T> rest;
+    BeamNode<T>* const room = part.size > kSmallest ? push() : nullptr;
+    BeamNode<T>& next = room ? *room : rest;
+    next.x = part.x, next.y = part.y, next.size = part.size;
+    next.inside = part.inside;
+    next.window = {lanes_.next_from[l], lanes_.next_to[l]};
+    const DepthRange<T> here = {lanes_.near[l], lanes_.far[l]};
+    next.slanted = straight || (part.slanted && T(2) * here.length() < next.window.length());
+    next.whole = straight && !part.slanted;
+    const T around = T(TUNE_A) * lanes_.radius[l];
+    if (straight) {
+      next.at = lanes_.next_at[l], next.along_u = lanes_.next_u[l], next.along_v = lanes_.next_v[l];
+      next.now = {-around, around};
+    } else if (next.slanted) {
+      next.at = part.at, next.along_u = part.along_u, next.along_v = part.along_v;
+      next.now = here;
+    } else {
+      next.at = next.along_u = next.along_v = T(0);
+      next.now = next.window;
+    }
+    if (!room) search_rays(next);
   }
   // The rays of a node, each for itself.
   ISO_HD void search_rays(const BeamNode<T>& node) {
-    if (rays_search_.is_full()) rays_search_.run();
     const T middle = T(0.5) * T(node.size - 1);
     for (int y = 0; y < node.size; ++y)
       for (int x = 0; x < node.size; ++x) {
+        if (rays_search_.is_full()) rays_search_.run();
         if (node.x + x >= rays_.columns || node.y + y >= rays_.rows) continue;
         const T plane = node.at + (T(x) - middle) * node.along_u + (T(y) - middle) * node.along_v;
         rays_search_.add({static_cast<std::int16_t>(node.x + x), static_cast<std::int16_t>(node.y + y), node.inside,
