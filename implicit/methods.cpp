@@ -78,12 +78,12 @@ constexpr MethodOption kOffset = {"offset",
                                   "",
                                   "added to every iso-value: fattens a surface that is only touched"};
 
-constexpr MethodOption kInterval[] = {kEps,         kEpsRel, kDelta, kBisection, kShadow,  kNormalStep,
-                                      kNormalGrows, kBeams,  kPrune, kRounding};
+constexpr MethodOption kInterval[] = {kEps,        kEpsRel,      kDelta, kBisection, kShadow,
+                                      kNormalStep, kNormalGrows, kBeams, kPrune,     kRounding};
 constexpr MethodOption kAffine[] = {kEps,        kEpsRel,      kDelta, kBisection, kTrim,    kShadow,
                                     kNormalStep, kNormalGrows, kBeams, kPrune,     kRounding};
 constexpr MethodOption kCertified[] = {kEps, kEpsRel, kShadow, kNormalStep, kNormalGrows, kPrune};
-constexpr MethodOption kDerivative[] = {kEps,         kEpsRel, kDelta, kShadow, kNormalStep,
+constexpr MethodOption kDerivative[] = {kEps,         kEpsRel, kDelta, kShadow,  kNormalStep,
                                         kNormalGrows, kBeams,  kPrune, kRounding};
 constexpr MethodOption kMarching[] = {
     kStep,
@@ -124,9 +124,9 @@ struct Run {
   FormulaMethod method;
 };
 constexpr Run kRuns[std::size(kMethods)] = {
-    {FormulaPass::none, FormulaMethod::interval},   {FormulaPass::none, FormulaMethod::affine},
-    {FormulaPass::none, FormulaMethod::mitchell},   {FormulaPass::none, FormulaMethod::interval_newton},
-    {FormulaPass::none, FormulaMethod::amp_sign},   {FormulaPass::none, FormulaMethod::amp_taylor},
+    {FormulaPass::none, FormulaMethod::interval},    {FormulaPass::none, FormulaMethod::affine},
+    {FormulaPass::none, FormulaMethod::mitchell},    {FormulaPass::none, FormulaMethod::interval_newton},
+    {FormulaPass::none, FormulaMethod::amp_sign},    {FormulaPass::none, FormulaMethod::amp_taylor},
     {FormulaPass::certified, FormulaMethod::affine},
 };
 

@@ -15,8 +15,8 @@ namespace isocast::inline ISO_ISA {
 
 inline constexpr int kBeamLanes = 64;
 
-/// Parts of beams in structure of arrays: pixels within `half` of (u, v), depths from `from` to `to` behind the
-/// plane at + (u' - u) along_u + (v' - v) along_v, of which those in the window are asked for.
+/// Parts of beams in structure of arrays: pixels within `half` of (u, v), depths from `from` to `to` behind
+/// the plane at + (u' - u) along_u + (v' - v) along_v, of which those in the window are asked for.
 ///
 /// open      the part may hold roots: those that are asked for lie in the window next_from, next_to, and from
 ///           `near` to `far` behind the plane
@@ -32,8 +32,9 @@ template <Real R> struct BeamLanes {
   alignas(64) T u[kBeamLanes], v[kBeamLanes], half[kBeamLanes], at[kBeamLanes], along_u[kBeamLanes],
       along_v[kBeamLanes], from[kBeamLanes], to[kBeamLanes];
   alignas(64) T window_from[kBeamLanes], window_to[kBeamLanes];
-  alignas(64) T near[kBeamLanes], far[kBeamLanes], next_from[kBeamLanes], next_to[kBeamLanes], next_at[kBeamLanes], next_u[kBeamLanes],
-      next_v[kBeamLanes], radius[kBeamLanes], slope[kBeamLanes], iso[kBeamLanes];
+  alignas(64) T near[kBeamLanes], far[kBeamLanes], next_from[kBeamLanes], next_to[kBeamLanes],
+      next_at[kBeamLanes], next_u[kBeamLanes], next_v[kBeamLanes], radius[kBeamLanes], slope[kBeamLanes],
+      iso[kBeamLanes];
   SlotBits open, narrow, straight, rises;
 
   /// One part more, of a node's quarter or of all of it.
@@ -80,7 +81,8 @@ template <Real R> struct BeamLanes {
     const R deep = R(T(0.5)) * (k1 - k0) + R(T(2) * kSpacing<T>) * (abs(k0) + abs(k1));
     const R t = get(at, p) + middle, tilt = h * (abs(pu) + abs(pv)), size = abs(t) + deep + tilt;
     for (int a = 0; a < 3; ++a) {
-      const R su = R(rays.start_u[a]), sv = R(rays.start_v[a]), du = R(rays.span_u[a]), dv = R(rays.span_v[a]);
+      const R su = R(rays.start_u[a]), sv = R(rays.start_v[a]), du = R(rays.span_u[a]),
+              dv = R(rays.span_v[a]);
       const R d = R(rays.span[a]) + u0 * du + v0 * dv;
       AffineForm<R, 3> x;
       x.c = R(rays.start[a]) + u0 * su + v0 * sv + t * d;
@@ -103,12 +105,14 @@ template <Real R> struct BeamLanes {
     const BeamLevels<R> found = find_beam_levels(f, R(T(0)), R(T(1)), query);
     const Mask<R> out = leaves_out(interval_of(f), query) | (found.levels.near > found.levels.far),
                   single = found.levels.second > R(T(1));
-    const R start = get(from, p), end = get(to, p), depth = end - start, h = get(half, p), pu = get(along_u, p),
-            pv = get(along_v, p), plane = get(at, p);
+    const R start = get(from, p), end = get(to, p), depth = end - start, h = get(half, p),
+            pu = get(along_u, p), pv = get(along_v, p), plane = get(at, p);
     const R tilt = h * (abs(pu) + abs(pv));
     const R rounding = R(T(8) * kSpacing<T>) * (abs(plane) + tilt + abs(start) + abs(end));
-    const R k0 = start + found.levels.near * depth - rounding, k1 = start + found.levels.far * depth + rounding;
-    const R first = max(get(window_from, p), plane - tilt + k0), last = min(get(window_to, p), plane + tilt + k1);
+    const R k0 = start + found.levels.near * depth - rounding,
+            k1 = start + found.levels.far * depth + rounding;
+    const R first = max(get(window_from, p), plane - tilt + k0),
+            last = min(get(window_to, p), plane + tilt + k1);
     put(near, p, k0), put(far, p, k1), put(next_from, p, first), put(next_to, p, last);
     put_lanes<R>(open, p, !(out | (first > last)));
 
@@ -119,7 +123,8 @@ template <Real R> struct BeamLanes {
     const R distance = found.radius * depth + rounding + R(T(8) * kSpacing<T>) * (abs(at1) + tilt1);
     const R slanted = abs(found.along_u) + abs(found.along_v);
     put(next_at, p, at1), put(next_u, p, u1), put(next_v, p, v1), put(radius, p, distance);
-    put_lanes<R>(straight, p, single & (slanted <= R(T(TUNE_L))) & (found.radius <= R(T(TUNE_S)) * max(R(T(1)), slanted)));
+    put_lanes<R>(straight, p,
+                 single & (slanted <= R(T(TUNE_L))) & (found.radius <= R(T(TUNE_S)) * max(R(T(1)), slanted)));
     put_lanes<R>(narrow, p, single & found.levels.alone() & (R(T(2)) * distance <= eps));
     put_lanes<R>(rises, p, found.levels.rises);
     put(slope, p, slope_of(f) / depth);

@@ -6,8 +6,8 @@
 
 namespace isocast::inline ISO_ISA {
 
-/// A quadtree of beams over a block and, in each beam, four slabs of depth, nearest first; sixty-four parts of
-/// beams are looked at together, wherever they are in the tree.
+/// A quadtree of beams over a block and, in each beam, four slabs of depth, nearest first; sixty-four parts
+/// of beams are looked at together, wherever they are in the tree.
 ///
 /// F         AffineForm<R, 3>
 /// parts     one that the form proves empty is dropped; one where all rays cross, in brackets of at most eps,
@@ -28,7 +28,11 @@ template <class F, Real R> class BeamTree {
 
   ISO_HD BeamTree(const FormulaQuery<T>& query, const BlockRays<T>& rays, BlockRoots<T>& roots,
                   void* registers)
-      : query_(query), rays_(rays), roots_(roots), registers_(registers), leaves_(rays, roots),
+      : query_(query),
+        rays_(rays),
+        roots_(roots),
+        registers_(registers),
+        leaves_(rays, roots),
         rays_search_(query, rays, roots, leaves_, registers) {}
 
   ISO_HD void run() {
@@ -78,7 +82,8 @@ template <class F, Real R> class BeamTree {
     // the plane is counted from the part's middle
     const T off = node.whole ? T(0) : T(0.5) * T(part.size);
     part.along_u = node.along_u, part.along_v = node.along_v;
-    part.at = node.at + ((quarter % 2 ? off : -off) * part.along_u + (quarter / 2 ? off : -off) * part.along_v);
+    part.at =
+        node.at + ((quarter % 2 ? off : -off) * part.along_u + (quarter / 2 ? off : -off) * part.along_v);
     const int slabs = slabs_of(part);
     work.lane = lanes_.count, work.lanes = slabs;
     ++part_count_;
@@ -113,13 +118,19 @@ template <class F, Real R> class BeamTree {
       if (!(lanes_.open & bit)) continue;
       const BeamNode<T>& node = part.node;
       if (lanes_.narrow & bit) {
-        leaves_.cross({node.x, node.y, node.size, lanes_.next_at[l], lanes_.next_u[l], lanes_.next_v[l],
-                       lanes_.radius[l], lanes_.slope[l], static_cast<std::uint8_t>(lanes_.iso[l]),
-                       (lanes_.rises & bit) != 0, node.inside});
+        cross(node, l);
         continue;
       }
       go_on(node, l, (lanes_.straight & bit) != 0);
     }
+  }
+  ISO_HD void cross(const BeamNode<T>& part, int l) {
+    const T at = lanes_.next_at[l], radius = lanes_.radius[l],
+            most = lanes_.half[l] * (abs(lanes_.next_u[l]) + abs(lanes_.next_v[l])) + radius;
+    // the crossing may lie outside the window, where it is as true
+    const bool inside = part.inside && at - most >= part.window.from && at + most <= part.window.to;
+    leaves_.cross({part.x, part.y, part.size, at, lanes_.next_u[l], lanes_.next_v[l], radius, lanes_.slope[l],
+                   static_cast<std::uint8_t>(lanes_.iso[l]), (lanes_.rises >> l & 1) != 0, inside});
   }
   ISO_HD void go_on(const BeamNode<T>& part, int l, bool straight) {
     BeamNode<T> rest;
@@ -152,8 +163,9 @@ template <class F, Real R> class BeamTree {
         if (rays_search_.is_full()) rays_search_.run();
         if (node.x + x >= rays_.columns || node.y + y >= rays_.rows) continue;
         const T plane = node.at + (T(x) - middle) * node.along_u + (T(y) - middle) * node.along_v;
-        rays_search_.add({static_cast<std::int16_t>(node.x + x), static_cast<std::int16_t>(node.y + y), node.inside,
-                   max(node.window.from, plane + node.now.from), min(node.window.to, plane + node.now.to)});
+        rays_search_.add({static_cast<std::int16_t>(node.x + x), static_cast<std::int16_t>(node.y + y),
+                          node.inside, max(node.window.from, plane + node.now.from),
+                          min(node.window.to, plane + node.now.to)});
       }
   }
   // Beams of so many pixels a side are not divided.

@@ -10,15 +10,15 @@ inline constexpr int kBlockSide = 128, kBlockPixels = kBlockSide * kBlockSide;
 /// Packets of 4x4 pixels.
 inline constexpr int kPacketSide = 4;
 
-/// Place of pixel (x, y) of a block among its pixels: tile by tile, in each packet by packet, so that a tile is
-/// a stream and a packet sixteen slots in a row.
+/// Place of pixel (x, y) of a block among its pixels: tile by tile, in each packet by packet, so that a tile
+/// is a stream and a packet sixteen slots in a row.
 constexpr int pixel_slot(int x, int y) {
   return (y / 16 * (kBlockSide / 16) + x / 16) * 256 + (y % 16 / 4 * 4 + x % 16 / 4) * 16 + y % 4 * 4 + x % 4;
 }
 
-/// The points start + u start_u + v start_v + t (span + u span_u + v span_v) of the rays through the pixels: u
-/// and v are pixels from the block's middle, -63.5 to 63.5; t is the depth along the camera's axis, from the
-/// plane where the domain begins. Every true point lies within slack + |t| spread of it, axis by axis.
+/// The points start + u start_u + v start_v + t (span + u span_u + v span_v) of the rays through the pixels:
+/// u and v are pixels from the block's middle, -63.5 to 63.5; t is the depth along the camera's axis, from
+/// the plane where the domain begins. Every true point lies within slack + |t| spread of it, axis by axis.
 ///
 /// box_lo, box_hi  the domain, and how far it may be off
 /// most_depth      the domain ends before it
@@ -48,7 +48,8 @@ template <class T> struct DepthRange {
 /// now      that part, counted from the plane at + u along_u + v along_v, where u and v are pixels from the
 ///          beam's middle
 /// window   the roots that are sought lie in this part of the depth, counted from 0
-/// slanted  the plane is where a crossing was found, and `now` holds what is in the window of it on every ray;
+/// slanted  the plane is where a crossing was found, and `now` holds what is in the window of it on every
+/// ray;
 ///          else the plane is 0, and `now` the window
 /// inside   the window lies in the domain
 /// whole    to be looked at as it is, before it is quartered
@@ -72,7 +73,8 @@ inline constexpr int kMostNodes = 4096;
 
 /// What beams found, in slots of pixels; depths as t of BlockRays.
 ///
-/// lo, hi    a root lies between, and no root of which all is known lies before lo; lo = +inf: none was found,
+/// lo, hi    a root lies between, and no root of which all is known lies before lo; lo = +inf: none was
+/// found,
 ///           -inf: the pixel is not in the picture
 /// t, slope  the best guess at it, and df/dt there
 /// side      i + 1 where f rises through iso-value i, -i - 1 where it falls

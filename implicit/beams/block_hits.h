@@ -12,12 +12,12 @@ template <class T> ISO_HD inline int crossed_iso(const BlockRoots<T>& roots, int
   return static_cast<int>(abs(roots.side[slot])) - 1;
 }
 
-/// The best guesses at the roots of a tile: steps of the secant method in plain arithmetic, from the middle of
-/// the bracket and the slope that the form had, kept in the bracket. Proves nothing and changes no proof.
+/// The best guesses at the roots of a tile: steps of the secant method in plain arithmetic, from the middle
+/// of the bracket and the slope that the form had, kept in the bracket. Proves nothing and changes no proof.
 /// `registers` has room for kSlots / kWidth<R> of R a register.
 template <Real R>
-ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays, int tile,
-                               BlockRoots<Scalar<R>>& roots, void* registers) {
+ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays,
+                               int tile, BlockRoots<Scalar<R>>& roots, void* registers) {
   using T = Scalar<R>;
   constexpr int kPacks = kSlots / kWidth<R>, kSteps = sizeof(T) == 4 ? 2 : 4;
   const int x0 = tile % (kBlockSide / 16) * 16, y0 = tile / (kBlockSide / 16) * 16;
@@ -37,7 +37,8 @@ ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const Block
         level[l] = abs(roots.lo[slot + l]) < kInfinity<T> ? query.iso_lo[crossed_iso(roots, slot + l)] : T(0);
       }
       u[packs] = load<R>(at_u), v[packs] = load<R>(at_v), iso[packs] = load<R>(level);
-      lo[packs] = select(found, found_lo, R(T(0))), hi[packs] = select(found, load<R>(roots.hi + slot), R(T(0)));
+      lo[packs] = select(found, found_lo, R(T(0))),
+      hi[packs] = select(found, load<R>(roots.hi + slot), R(T(0)));
       t[packs] = select(found, load<R>(roots.t + slot), R(T(0)));
       slope[packs] = select(found, load<R>(roots.slope + slot), R(T(1)));
       before[packs] = R(T(0));
@@ -52,8 +53,8 @@ ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const Block
               t[p] * (R(rays.span[a]) + u[p] * R(rays.span_u[a]) + v[p] * R(rays.span_v[a]));
         inputs[3 * kPacks + p] = R(static_cast<T>(query.time));
       }
-      const R* const f = evaluate_some<kPacks>(query.tape, static_cast<const R*>(inputs),
-                                               static_cast<R*>(registers), packs);
+      const R* const f =
+          evaluate_some<kPacks>(query.tape, static_cast<const R*>(inputs), static_cast<R*>(registers), packs);
       for (int p = 0; p < packs; ++p) {
         const R value = f[p] - iso[p], moved = value / slope[p];
         // f changed by value - before over the last step, where the slope foretold -before
@@ -71,7 +72,8 @@ ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const Block
 
 /// Bit i: f < iso i in front of the root in a slot.
 template <class T>
-ISO_HD inline std::uint32_t sides_in_front(const FormulaQuery<T>& query, const BlockRoots<T>& roots, int slot) {
+ISO_HD inline std::uint32_t sides_in_front(const FormulaQuery<T>& query, const BlockRoots<T>& roots,
+                                           int slot) {
   const int crossed = crossed_iso(roots, slot);
   std::uint32_t sides = std::uint32_t(roots.side[slot] > T(0)) << crossed;
   for (int i = 0; i < query.iso_count; ++i)
@@ -79,16 +81,15 @@ ISO_HD inline std::uint32_t sides_in_front(const FormulaQuery<T>& query, const B
   return sides;
 }
 
-/// Puts the roots of a tile, all of them proved, where hits holds none that are nearer; those of rays that are
-/// unclear before them are left out.
+/// Puts the roots of a tile, all of them proved, where hits holds none that are nearer; those of rays that
+/// are unclear before them are left out.
 template <Real R, class T>
 ISO_HD inline void write_tile(const FormulaQuery<T>& query, const BlockRays<T>& rays,
                               const BlockRoots<T>& roots, int tile, std::uint16_t object, HitStream& hits) {
   static_assert(__is_same(Scalar<R>, double));
   const int x0 = tile % (kBlockSide / 16) * 16, y0 = tile / (kBlockSide / 16) * 16, slot = tile * kStreamSize;
   for (int i = 0; i < kStreamSize; i += kWidth<R>) {
-    double at_u[kWidth<R>], at_v[kWidth<R>], t[kWidth<R>], lo[kWidth<R>], hi[kWidth<R>],
-        unclear[kWidth<R>];
+    double at_u[kWidth<R>], at_v[kWidth<R>], t[kWidth<R>], lo[kWidth<R>], hi[kWidth<R>], unclear[kWidth<R>];
     for (int l = 0; l < kWidth<R>; ++l) {
       const int p = (i + l) / kPacketSize, k = (i + l) % kPacketSize;
       at_u[l] = x0 + p % 4 * 4 + k % 4 - 0.5 * (kBlockSide - 1);

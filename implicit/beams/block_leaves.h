@@ -19,7 +19,9 @@ struct PacketSquare {
   int x0, y0, x1, y1;
   std::uint32_t lanes = 0xffff;
   ISO_HD PacketSquare(int x, int y, int size)
-      : x0(x / kPacketSide), y0(y / kPacketSide), x1((x + size - 1) / kPacketSide),
+      : x0(x / kPacketSide),
+        y0(y / kPacketSide),
+        x1((x + size - 1) / kPacketSide),
         y1((y + size - 1) / kPacketSide) {
     if (size >= kPacketSide) return;
     const std::uint32_t row = ((1u << size) - 1) << x % kPacketSide;
@@ -36,7 +38,8 @@ struct PacketSquare {
 
 /// The rays of a block, and what was found on them so far.
 ///
-/// nearest  of several crossings of a ray the one whose bracket begins first is kept: it holds the first root,
+/// nearest  of several crossings of a ray the one whose bracket begins first is kept: it holds the first
+/// root,
 ///          if every part of the ray before it was looked at
 template <Real R> class BlockLeaves {
   using T = Scalar<R>;
@@ -47,8 +50,7 @@ template <Real R> class BlockLeaves {
     for (int l = 0; l < kPacketLanes; ++l) lane_x_[l] = T(l % kPacketSide), lane_y_[l] = T(l / kPacketSide);
     PacketSquare(0, 0, kBlockSide).each([this](int slot, int x, int y) {
       for (int p = 0; p < kPacks; ++p) {
-        const Mask<R> outside =
-            (column(x, p) >= R(T(rays_.columns))) | (row(y, p) >= R(T(rays_.rows)));
+        const Mask<R> outside = (column(x, p) >= R(T(rays_.columns))) | (row(y, p) >= R(T(rays_.rows)));
         const R infinite = R(kInfinity<T>);
         store(roots_.lo + slot + p * kWidth<R>, select(outside, -infinite, infinite));
         store(roots_.unclear + slot + p * kWidth<R>, infinite);
@@ -91,8 +93,8 @@ template <Real R> class BlockLeaves {
         for (int l = 0; l < kWidth<R>; ++l) slots[l] = first + l;
         give(beam, first, t,
              beam.inside ? here
-                         : here & in_domain(u - side(), v - side(), t - R(beam.radius), t + R(beam.radius), here,
-                                            slots));
+                         : here & in_domain(u - side(), v - side(), t - R(beam.radius), t + R(beam.radius),
+                                            here, slots));
       }
     });
   }

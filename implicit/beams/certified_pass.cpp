@@ -80,7 +80,8 @@ void CertifiedPass<T>::first_hits(int bx, int by, double offset_u, double offset
     const int x = tile % kBlockTiles, y = tile / kBlockTiles;
     HitStream& found = hits.tile(x, y);
     kernels.write(query_, rays, roots, tile, inputs_.object, found);
-    if (inputs_.components) note_components(bx * kBlockTiles + x, by * kBlockTiles + y, offset_u, offset_v, found);
+    if (inputs_.components)
+      note_components(bx * kBlockTiles + x, by * kBlockTiles + y, offset_u, offset_v, found);
   }
   solve_open_rays(bx, by, offset_u, offset_v, rays, roots, hits, counts);
 }
@@ -92,10 +93,10 @@ void CertifiedPass<T>::note_components(int tx, int ty, double offset_u, double o
   view_.fill(tx, ty, offset_u, offset_v, rays);
   for (int i = 0; i < kStreamSize; ++i)
     if (is_hit(found, i) && found.object[i] == inputs_.object)
-      found.cell[0][i] = inputs_.components->at(
-          {rays.ox[i] + found.t[i] * rays.dx[i], rays.oy[i] + found.t[i] * rays.dy[i],
-           rays.oz[i] + found.t[i] * rays.dz[i]},
-          query_.time);
+      found.cell[0][i] =
+          inputs_.components->at({rays.ox[i] + found.t[i] * rays.dx[i], rays.oy[i] + found.t[i] * rays.dy[i],
+                                  rays.oz[i] + found.t[i] * rays.dz[i]},
+                                 query_.time);
 }
 
 template <class T>
@@ -114,9 +115,8 @@ void CertifiedPass<T>::solve_open_rays(int bx, int by, double offset_u, double o
       if (!filled) view_.fill(bx * kBlockTiles + x, by * kBlockTiles + y, offset_u, offset_v, *tile_rays);
       filled = true;
       const int p = i / kPacketSize, l = i % kPacketSize;
-      const double from =
-          BlockFrame::distance(rays, x * kTileSize + p % 4 * 4 + l % 4, y * kTileSize + p / 4 * 4 + l / 4,
-                               unclear[i]);
+      const double from = BlockFrame::distance(rays, x * kTileSize + p % 4 * 4 + l % 4,
+                                               y * kTileSize + p / 4 * 4 + l / 4, unclear[i]);
       open->add(*tile_rays, i, from - 0x1p-45 * std::abs(from), hits.tile(x, y));
       if (open->rays.size == kStreamSize) open->solve(inputs_.surface, counts);
     }

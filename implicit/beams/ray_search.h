@@ -49,14 +49,21 @@ template <Real R> class RaySearch {
   ISO_HD bool start(int i, const RayPiece<T>& piece) {
     const int slot = pixel_slot(piece.x, piece.y);
     if (!(piece.from < min(roots_.lo[slot], roots_.unclear[slot]))) return false;
+    T from = piece.from, to = piece.to;
+    if (!piece.inside) {
+      const BoxRange<T> box = box_range(rays_, T(piece.x) - side(), T(piece.y) - side(), T(0));
+      from = max(from, box.enters_from), to = min(to, box.leaves_to);
+      if (!(from <= to)) return false;
+    }
     x_[i] = T(piece.x), y_[i] = T(piece.y);
-    from_[i] = piece.from, to_[i] = piece.to, step_[i] = piece.to - piece.from;
+    from_[i] = from, to_[i] = to, step_[i] = to - from, start_[i] = from;
     slot_[i] = slot;
     const SlotBits bit = SlotBits(1) << i;
     busy_ |= bit;
     inside_ = piece.inside ? inside_ | bit : inside_ & ~bit;
     return true;
   }
+  ISO_HD static T side() { return T(0.5) * T(kBlockSide - 1); }
   ISO_HD static R get(const T (&values)[kSlots], int p) { return load<R>(values + p * kWidth<R>); }
 
   // One evaluation for every ray in work.
@@ -73,12 +80,12 @@ template <Real R> class RaySearch {
       begin[n] = a - over, length[n] = (b + over) - begin[n];
       put_inputs(begin[n], length[n], p, n, inputs);
     }
-    const F* const f = evaluate_some<kPacks>(query_.tape, static_cast<const F*>(inputs),
-                                             static_cast<F*>(registers_), count);
+    const F* const f =
+        evaluate_some<kPacks>(query_.tape, static_cast<const F*>(inputs), static_cast<F*>(registers_), count);
     for (int n = 0; n < count; ++n) judge(f[n], begin[n], length[n], packs[n]);
   }
   ISO_HD void put_inputs(R begin, R length, int p, int n, F* inputs) const {
-    const R side = R(T(0.5) * T(kBlockSide - 1)), u = get(x_, p) - side, v = get(y_, p) - side;
+    const R u = get(x_, p) - R(side()), v = get(y_, p) - R(side());
     const R half = R(T(0.5)) * length, t = begin + half;
     // a little more than half of it, for the roundings of its ends
     const R deep = half + R(T(4) * kSpacing<T>) * (abs(begin) + half), size = abs(t) + deep;
@@ -107,18 +114,19 @@ template <Real R> class RaySearch {
     const Mask<R> over = here & out & (b >= to);
     const R next = max(a, near), rest = min(b, far) - next;
     store(from_ + p * kWidth<R>, select(out, b, next));
-    store(step_ + p * kWidth<R>,
-          select(out, max(step + step, R(rays_.least)), select(rest < R(T(0.5)) * (b - a), rest, R(T(0.5)) * rest)));
+    store(step_ + p * kWidth<R>, select(out, max(step + step, R(rays_.least)),
+                                        select(rest < R(T(0.5)) * (b - a), rest, R(T(0.5)) * rest)));
     roots_.evaluations += __builtin_popcount(bits_of(here));
     if (any(unclear)) for_lanes(p, unclear, [&](int, int i) { leaves_.leave(slot_[i], from_[i]); });
     if (any(hit)) report(p, hit, found, near, first_far, begin + found.middle * length, f.e[0] / length);
     busy_ &= ~(SlotBits(bits_of(hit | unclear | over)) << (p * kWidth<R>));
   }
   ISO_HD void report(int p, Mask<R> hit, const Levels<R>& found, R near, R far, R middle, R half_slope) {
-    const R side = R(T(0.5) * T(kBlockSide - 1));
-    const Mask<R> inside = lanes_of<R>(inside_, p);
-    if (any(hit & !inside))
-      hit = hit & (inside | leaves_.in_domain(get(x_, p) - side, get(y_, p) - side, near, far, hit,
+    // a piece in the domain may have been left at its ends
+    const Mask<R> inside = lanes_of<R>(inside_, p) & (near >= get(start_, p)) & (far <= get(to_, p));
+    const Mask<R> open = hit & !inside;
+    if (any(open))
+      hit = hit & (inside | leaves_.in_domain(get(x_, p) - R(side()), get(y_, p) - R(side()), near, far, open,
                                               slot_ + p * kWidth<R>));
     T lo[kWidth<R>], hi[kWidth<R>], t[kWidth<R>], slope[kWidth<R>], iso[kWidth<R>];
     store(lo, near), store(hi, far), store(t, middle), store(slope, half_slope + half_slope);
@@ -142,7 +150,8 @@ template <Real R> class RaySearch {
   BlockRoots<T>& roots_;
   BlockLeaves<R>& leaves_;
   void* registers_;
-  alignas(64) T x_[kSlots] = {}, y_[kSlots] = {}, from_[kSlots] = {}, to_[kSlots] = {}, step_[kSlots] = {};
+  alignas(64) T x_[kSlots] = {}, y_[kSlots] = {}, from_[kSlots] = {}, to_[kSlots] = {}, step_[kSlots] = {},
+      start_[kSlots] = {};
   int slot_[kSlots] = {};
   SlotBits busy_ = 0, inside_ = 0;
   int waiting_ = 0, next_ = 0;
