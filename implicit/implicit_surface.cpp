@@ -72,8 +72,7 @@ void ImplicitSurface::prepare_frustum() {
   if (!method.has_form()) return;
   if (!degree_.degree)
     throw InputError(fmt::format("--method {} needs a polynomial in x, y and z, and the formula is {}",
-                                 formula_methods()[static_cast<std::size_t>(method.method)].name,
-                                 degree_.reason));
+                                 method.name, degree_.reason));
   FrustumOptions options;
   options.degree = *degree_.degree;
   options.iso = options_.iso;
@@ -231,12 +230,6 @@ void ImplicitSurface::set_components(const RayStream& rays, HitStream& hits) con
     const Double3 o = {rays.ox[i], rays.oy[i], rays.oz[i]}, d = {rays.dx[i], rays.dy[i], rays.dz[i]};
     hits.cell[0][i] = components_->at(o + hits.t[i] * d, options_.time);
   }
-}
-
-std::unique_ptr<PrimaryPass> ImplicitSurface::primary(const View& view) const {
-  // a component is told from the hit's ray
-  if (!frustum_ || components_) return nullptr;
-  return frustum_->primary(view);
 }
 
 void ImplicitSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {

@@ -82,6 +82,7 @@ constexpr MethodOption kInterval[] = {kEps,        kEpsRel,      kDelta, kBisect
                                       kNormalStep, kNormalGrows, kBeams, kPrune,     kRounding};
 constexpr MethodOption kAffine[] = {kEps,        kEpsRel,      kDelta, kBisection, kTrim,    kShadow,
                                     kNormalStep, kNormalGrows, kBeams, kPrune,     kRounding};
+constexpr MethodOption kCertified[] = {kEps, kEpsRel, kShadow, kNormalStep, kNormalGrows, kPrune};
 constexpr MethodOption kDerivative[] = {kEps,         kEpsRel, kDelta, kShadow,  kNormalStep,
                                         kNormalGrows, kBeams,  kPrune, kRounding};
 constexpr MethodOption kMarching[] = {
@@ -123,13 +124,16 @@ constexpr const char* kReimers =
 
 constexpr const char* kMitchell =
     "Mitchell: Robust ray intersection with interval arithmetic, Graphics Interface 1990";
+constexpr const char* kGanacim =
+    "Ganacim, de Figueiredo, Nehab: Beam casting implicit surfaces on the GPU with interval arithmetic, "
+    "SIBGRAPI 2011";
 constexpr const char* kMoore =
     "Moore, Kearfott, Cloud: Introduction to interval analysis, SIAM 2009, chapter 8";
 constexpr const char* kSingh =
     "Singh, Narayanan: Real-time ray tracing of implicit surfaces on the GPU, IEEE Transactions on "
     "Visualization and Computer Graphics 16(2), 2010";
 
-constexpr Method kMethods[kFormulaMethodCount] = {
+constexpr Method kMethods[] = {
     {"interval", "formula", "both", "library", "float double", kInterval, kKnoll},
     {"affine", "formula", "both", "library", "float double", kAffine, kKnoll},
     {"mitchell", "formula", "both", "library", "float double", kDerivative, kMitchell},
@@ -147,6 +151,28 @@ constexpr Method kMethods[kFormulaMethodCount] = {
      "Nishita, Sederberg, Kakimoto: Ray tracing trimmed rational surface patches, SIGGRAPH 1990, from one "
      "side; on "
      "the frustum form of Reimers and Seland"},
+    {"certified", "formula", "both", "library", "float double", kCertified, kGanacim},
+};
+
+// What each row runs: on rays of the camera, and on others.
+struct Run {
+  FormulaPass pass;
+  FormulaMethod method;
+};
+constexpr Run kRuns[std::size(kMethods)] = {
+    {FormulaPass::none, FormulaMethod::interval},
+    {FormulaPass::none, FormulaMethod::affine},
+    {FormulaPass::none, FormulaMethod::mitchell},
+    {FormulaPass::none, FormulaMethod::interval_newton},
+    {FormulaPass::none, FormulaMethod::amp_sign},
+    {FormulaPass::none, FormulaMethod::amp_taylor},
+    {FormulaPass::frustum, FormulaMethod::frustum_lr},
+    {FormulaPass::frustum, FormulaMethod::frustum_mr},
+    {FormulaPass::frustum, FormulaMethod::frustum_lr_mult},
+    {FormulaPass::frustum, FormulaMethod::frustum_mr_mult},
+    {FormulaPass::frustum, FormulaMethod::frustum_schneider},
+    {FormulaPass::frustum, FormulaMethod::frustum_clip},
+    {FormulaPass::certified, FormulaMethod::affine},
 };
 
 }  // namespace
@@ -158,7 +184,9 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   const Method& method = find_method(kMethods, name);
   const std::map<std::string, double> values = resolve_options(method, settings);
   FormulaMethodChoice choice;
-  choice.method = static_cast<FormulaMethod>(&method - kMethods);
+  const Run& run = kRuns[&method - kMethods];
+  choice.name = method.name;
+  choice.method = run.method, choice.pass = run.pass;
   const auto value = [&values](const char* option, double otherwise) {
     const auto found = values.find(option);
     return found == values.end() ? otherwise : found->second;

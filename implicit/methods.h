@@ -11,11 +11,16 @@
 
 namespace isocast {
 
-/// In the order of FormulaMethod.
+/// What finds the primary rays of a picture together, if anything does.
+enum class FormulaPass : std::uint8_t { none, frustum, certified };
+
+/// Those of FormulaMethod first, in its order; then those with a pass.
 [[nodiscard]] std::span<const Method> formula_methods();
 
 /// A row with the values of its options; lengths in world units, 0 where the domain or f's probe decides.
 ///
+/// name      of the row
+/// method    of rays that no pass finds
 /// eps       a length; 0: eps_rel, a fraction of the domain's longest edge
 /// options   step and tau may be 0 as well
 /// offset    added to every iso-value
@@ -28,7 +33,9 @@ namespace isocast {
 /// the
 ///                 ray over the domain's longest edge
 struct FormulaMethodChoice {
+  std::string_view name = "affine";
   FormulaMethod method = FormulaMethod::affine;
+  FormulaPass pass = FormulaPass::none;
   FormulaOptions options;
   double eps = 0, eps_rel = 0x1p-11, offset = 0, shadow_eps_rel = 0, normal_step = 1;
   bool normal_grows = false, prune = true, nearest = false, beams = true, certify = true;
@@ -38,7 +45,7 @@ struct FormulaMethodChoice {
     return method == FormulaMethod::amp_sign || method == FormulaMethod::amp_taylor;
   }
   /// Works on the frustum form, of polynomials alone.
-  [[nodiscard]] bool has_form() const { return method >= FormulaMethod::frustum_lr; }
+  [[nodiscard]] bool has_form() const { return pass == FormulaPass::frustum; }
   [[nodiscard]] bool proves() const { return has_form() ? certify : !marches() && !nearest; }
 };
 /// A row with its `--set` values. Throws InputError as find_method and resolve_options do.

@@ -115,9 +115,10 @@ void build(BuiltScene& built, const FormulaSource& source, const ObjectDescripti
   if (automatic) {
     const AutomaticMethod choice = choose_automatically(source.expression, source.domain, options);
     options.method.method = choice.method;
+    options.method.name = formula_methods()[static_cast<std::size_t>(choice.method)].name;
     built.method_reason = choice.reason;
   }
-  const Method& method = formula_methods()[static_cast<std::size_t>(options.method.method)];
+  const Method& method = find_method(formula_methods(), options.method.name);
   check_precision(method, settings);
   built.method = std::string(method.name);
 

@@ -25,16 +25,6 @@ ImplicitSurface surface_of(const char* formula, const char* method, const char* 
   return ImplicitSurface(parse_expression(formula), kBox, options);
 }
 
-void require_same_bits(const HitStream& a, const HitStream& b, int size) {
-  for (int i = 0; i < size; ++i) {
-    REQUIRE(a.t[i] == b.t[i]);
-    REQUIRE(a.certificate[i] == b.certificate[i]);
-    if (!is_hit(a, i)) continue;
-    REQUIRE(a.t_lo[i] == b.t_lo[i]);
-    REQUIRE(a.t_hi[i] == b.t_hi[i]);
-  }
-}
-
 }  // namespace
 
 TEST_CASE("beams lose no root and find none", "[property]") {

@@ -54,4 +54,26 @@ inline HitStream first_hits(const Surface& surface, const RayStream& rays) {
   return hits;
 }
 
+/// First hits of a whole picture by the surface's pass, tile by tile: call(rays, hits), with a certificate
+/// that tells in every slot.
+template <class Call> void each_tile_of_pass(const Surface& surface, const View& view, Call call) {
+  const std::unique_ptr<PrimaryPass> pass = surface.primary(view);
+  const auto block = std::make_unique<BlockHits>();
+  const auto rays = std::make_unique<RayStream>();
+  constexpr int kSide = kBlockTiles * kTileSize;
+  TraceCounts counts;
+  for (int by = 0; by * kSide < view.height(); ++by)
+    for (int bx = 0; bx * kSide < view.width(); ++bx) {
+      block->reset(true);
+      pass->first_hits(bx, by, 0.5, 0.5, *block, counts);
+      for (int tile = 0; tile < kBlockStreams; ++tile) {
+        const int x = tile % kBlockTiles, y = tile / kBlockTiles, tx = bx * kBlockTiles + x,
+                  ty = by * kBlockTiles + y;
+        if (tx * kTileSize >= view.width() || ty * kTileSize >= view.height()) continue;
+        view.fill(tx, ty, 0.5, 0.5, *rays);
+        call(*rays, block->tile(x, y));
+      }
+    }
+}
+
 }  // namespace isocast::test

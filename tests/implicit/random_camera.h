@@ -1,8 +1,9 @@
-// Cameras that tests look through.
+// Cameras around a domain of [-2, 2], and hits that must be the same.
 #pragma once
 
 #include <isocast/render/camera.h>
 
+#include <catch2/catch.hpp>
 #include <random>
 
 namespace isocast::test {
@@ -21,6 +22,17 @@ inline Camera random_camera(std::mt19937_64& random) {
   camera.fov = random() % 2 ? 40 : 120;
   if (random() % 3 == 0) camera.ortho_height = 4;
   return camera;
+}
+
+/// The same bits in every slot.
+inline void require_same_bits(const HitStream& a, const HitStream& b, int size) {
+  for (int i = 0; i < size; ++i) {
+    REQUIRE(a.t[i] == b.t[i]);
+    REQUIRE(a.certificate[i] == b.certificate[i]);
+    if (!is_hit(a, i)) continue;
+    REQUIRE(a.t_lo[i] == b.t_lo[i]);
+    REQUIRE(a.t_hi[i] == b.t_hi[i]);
+  }
 }
 
 }  // namespace isocast::test

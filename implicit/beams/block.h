@@ -1,0 +1,91 @@
+// A block of the picture as beam kernels see it: the rays through its pixels, and what was found on them.
+#pragma once
+
+#include <isocast/isa/std.h>
+
+namespace isocast {
+
+/// Pixels per side of a block, and the block's in all.
+inline constexpr int kBlockSide = 128, kBlockPixels = kBlockSide * kBlockSide;
+/// Packets of 4x4 pixels.
+inline constexpr int kPacketSide = 4;
+
+/// Place of pixel (x, y) of a block among its pixels: tile by tile, in each packet by packet, so that a tile
+/// is a stream and a packet sixteen slots in a row.
+constexpr int pixel_slot(int x, int y) {
+  return (y / 16 * (kBlockSide / 16) + x / 16) * 256 + (y % 16 / 4 * 4 + x % 16 / 4) * 16 + y % 4 * 4 + x % 4;
+}
+
+/// The points start + u start_u + v start_v + t (span + u span_u + v span_v) of the rays through the pixels:
+/// u and v are pixels from the block's middle, -63.5 to 63.5; t is the depth along the camera's axis, from
+/// the plane where the domain begins. Every true point lies within slack + |t| spread of it, axis by axis.
+///
+/// box_lo, box_hi  the domain, and how far it may be off
+/// most_depth      the domain ends before it
+/// before          -t where rays begin
+/// pixel           a pixel's width at t = 0 in units of t, and what it gains with t, nearly
+/// eps             brackets of roots this long, in t, are short enough
+/// least           parts of a ray this short cannot be divided
+/// columns, rows   pixels that are in the picture, from the upper left
+/// exact           the span in double, for distances along rays: |span| is the distance for a depth of one
+/// depth           t = 0 in depth from the camera
+template <class T> struct BlockRays {
+  T start[3], start_u[3], start_v[3], span[3], span_u[3], span_v[3], slack[3], spread[3];
+  T box_lo[3], box_hi[3], box_slack[3];
+  T most_depth, before, eps, least, pixel, pixel_spread;
+  int columns, rows;
+  double exact[3], exact_u[3], exact_v[3], depth;
+};
+
+/// A part of the depths of a beam.
+template <class T> struct DepthRange {
+  T from, to;
+  [[nodiscard]] constexpr T length() const { return to - from; }
+};
+
+/// Pixels [x, x + size) x [y, y + size) and a part of their depth that may hold roots.
+///
+/// now      that part, counted from the plane at + u along_u + v along_v, where u and v are pixels from the
+///          beam's middle
+/// window   the roots that are sought lie in this part of the depth, counted from 0
+/// slanted  the plane is where a crossing was found, and `now` holds what is in the window of it on every
+/// ray;
+///          else the plane is 0, and `now` the window
+/// inside   the window lies in the domain
+/// whole    to be looked at as it is, before it is quartered
+template <class T> struct BeamNode {
+  int x, y, size;
+  bool slanted, inside, whole;
+  T at, along_u, along_v;
+  DepthRange<T> now, window;
+};
+
+/// A part of one ray that is to be searched for its first root; `inside`: it lies in the domain.
+template <class T> struct RayPiece {
+  std::int16_t x, y;
+  bool inside;
+  T from, to;
+};
+inline constexpr int kMostPieces = 2048;
+
+/// Nodes that wait at once: sixty-four for each of the levels of halving and of quartering that there can be.
+inline constexpr int kMostNodes = 4096;
+
+/// What beams found, in slots of pixels; depths as t of BlockRays.
+///
+/// lo, hi    a root lies between, and no root of which all is known lies before lo; lo = +inf: none was
+/// found,
+///           -inf: the pixel is not in the picture
+/// t, slope  the best guess at it, and df/dt there
+/// side      i + 1 where f rises through iso-value i, -i - 1 where it falls
+/// unclear   nothing is known of roots from this depth on; +inf: there is no such depth
+/// stack, pieces  for the search
+template <class T> struct alignas(64) BlockRoots {
+  T lo[kBlockPixels], hi[kBlockPixels], t[kBlockPixels], slope[kBlockPixels], side[kBlockPixels],
+      unclear[kBlockPixels];
+  std::int64_t evaluations;
+  BeamNode<T> stack[kMostNodes];
+  RayPiece<T> pieces[kMostPieces];
+};
+
+}  // namespace isocast

@@ -1,0 +1,139 @@
+// The method certified: its trees of beams against rays that are solved each for itself, and against the
+// reference.
+#include <implicit/framed_rays.h>
+#include <implicit/random_camera.h>
+#include <isocast/implicit/expression/catalogue.h>
+#include <isocast/implicit/expression/parse.h>
+#include <isocast/implicit/implicit_surface.h>
+#include <test_size.h>
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+using namespace isocast;
+using namespace isocast::test;
+using reference::FormulaReference, reference::FormulaRoots;
+
+namespace {
+
+const Domain kBox = {{-2, -2, -2}, {2, 2, 2}};
+constexpr double kEps = 0x1p-10;
+
+ImplicitSurface surface_of(const Expression& expression, const Domain& domain, const char* method,
+                           bool precise, std::vector<double> iso = {0}, Isa isa = widest_isa(),
+                           const char* eps_rel = "0.0009765625") {
+  ImplicitSurfaceOptions options;
+  options.iso = std::move(iso);
+  options.method = choose_formula_method(method, {{"eps-rel", eps_rel}});
+  options.double_precision = precise;
+  options.isa = isa;
+  return ImplicitSurface(expression, domain, options);
+}
+
+std::vector<HitStream> picture_of(const Surface& surface, const View& view) {
+  std::vector<HitStream> tiles;
+  each_tile_of_pass(surface, view, [&](const RayStream&, const HitStream& hits) { tiles.push_back(hits); });
+  return tiles;
+}
+
+}  // namespace
+
+TEST_CASE("trees of beams prove what single rays prove", "[property]") {
+  std::mt19937_64 random(12);
+  std::int64_t hits_seen = 0, compared = 0, rays_seen = 0;
+  for (std::int64_t n = 0, count = cases(48, 2000); n < count; ++n) {
+    const char* formulas[] = {"x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8",
+                              "sin(4*x)+sin(4*y)+sin(4*z)",
+                              "min(x^2+y^2+z^2-1, abs(x-1)+y^2-0.1)",
+                              "1/x + y*z",
+                              "sqrt(x-0.5) - y*z",
+                              "exp(-4*(x^2+y^2)) - z^2",
+                              "x - 0.3*y",
+                              "floor(3*x) - y"};
+    const Expression formula = parse_expression(formulas[n % 8]);
+    const bool precise = n / 8 % 2 == 0;
+    const std::vector<double> iso = n % 3 == 0 ? std::vector<double>{0} : std::vector<double>{0, 0.3};
+    INFO(formulas[n % 8] << (precise ? " double" : " float"));
+    const ImplicitSurface tree = surface_of(formula, kBox, "certified", precise, iso),
+                          alone = surface_of(formula, kBox, "affine", precise, iso);
+    // not whole tiles, and more than a block
+    const View view(random_camera(random), n % 4 == 0 ? 140 : 45, 37);
+    const std::vector<HitStream> a = picture_of(tree, view);
+    for (const Isa isa : available_isas()) {
+      const std::vector<HitStream> same =
+          picture_of(surface_of(formula, kBox, "certified", precise, iso, isa), view);
+      for (std::size_t tile = 0; tile < a.size(); ++tile) require_same_bits(a[tile], same[tile], kStreamSize);
+    }
+    std::size_t tile = 0;
+    each_tile_of_pass(tree, view, [&](const RayStream& rays, const HitStream&) {
+      RayStream others = rays;
+      others.kind = RayKind::reflection;
+      const HitStream b = first_hits(alone, others), &h = a[tile++];
+      for (int i = 0; i < rays.size; ++i) {
+        if (!is_ray(rays, i)) {
+          REQUIRE_FALSE(is_hit(h, i));
+          continue;
+        }
+        ++rays_seen;
+        if (h.certificate[i] == Certificate::undecided || b.certificate[i] == Certificate::undecided)
+          continue;
+        ++compared;
+        INFO(std::hexfloat << rays.ox[i] << " " << rays.oy[i] << " " << rays.oz[i] << " towards "
+                           << rays.dx[i] << " " << rays.dy[i] << " " << rays.dz[i]);
+        REQUIRE(h.certificate[i] == b.certificate[i]);
+        if (!is_hit(h, i)) continue;
+        ++hits_seen;
+        REQUIRE(h.t_lo[i] <= h.t[i]);
+        REQUIRE(h.t[i] <= h.t_hi[i]);
+        REQUIRE(h.t_hi[i] - h.t_lo[i] <= (1 + 1e-3) * 4 * kEps);
+        REQUIRE(h.t_lo[i] <= b.t_hi[i]);
+        REQUIRE(b.t_lo[i] <= h.t_hi[i]);
+        REQUIRE(h.iso[i] == b.iso[i]);
+        REQUIRE(h.sides[i] == b.sides[i]);
+      }
+    });
+  }
+  CHECK(compared > 0.95 * static_cast<double>(rays_seen));
+  CHECK(hits_seen > 10000);
+}
+
+TEST_CASE("certified pictures of the catalogue agree with the reference", "[property]") {
+  const int size = static_cast<int>(cases(20, 96));
+  for (const CatalogueSurface& surface : catalogue()) {
+    const Expression expression = surface_expression(surface);
+    const FormulaReference reference(expression, 0, 0);
+    for (const bool precise : {false, true}) {
+      INFO(surface.id << (precise ? " double" : " float"));
+      const ImplicitSurface certified = surface_of(expression, surface.domain, "certified", precise);
+      const Box box = certified.bounds();
+      const Double3 edges = box.hi - box.lo;
+      each_tile_of_pass(
+          certified, View(frame(box, {}, 1), size, size), [&](const RayStream& rays, const HitStream& hits) {
+            for (int i = 0; i < rays.size; ++i) {
+              if (!is_ray(rays, i) || hits.certificate[i] == Certificate::undecided) continue;
+              const Double3 o = origin_of(rays, i), d = direction_of(rays, i);
+              const RayRange range = range_inside(box, o, d);
+              if (range.empty()) {
+                REQUIRE_FALSE(is_hit(hits, i));
+                continue;
+              }
+              reference::ReferenceOptions options;
+              options.max_roots = 1;
+              const FormulaRoots truth = reference.solve(o, d, range.lo, range.hi, options);
+              if (!truth.decided()) continue;
+              INFO(std::hexfloat << o[0] << " " << o[1] << " " << o[2] << " towards " << d[0] << " " << d[1]
+                                 << " " << d[2]);
+              if (!is_hit(hits, i)) {
+                REQUIRE(truth.roots.empty());
+                continue;
+              }
+              if (!range.holds(hits.t_lo[i], hits.t_hi[i])) continue;
+              REQUIRE_FALSE(truth.roots.empty());
+              REQUIRE(truth.roots[0].hi >= hits.t_lo[i]);
+              REQUIRE(truth.roots[0].lo <= hits.t_hi[i]);
+              REQUIRE(std::abs(hits.t[i] - truth.roots[0].lo) <= 2 * kEps * std::ranges::max(edges));
+            }
+          });
+    }
+  }
+}
