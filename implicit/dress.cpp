@@ -2,6 +2,7 @@
 #include <isocast/implicit/implicit_surface.h>
 #include <isocast/implicit/register_memory.h>
 #include <isocast/math/rounding.h>
+#include <isocast/ray/neighbour_normals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +36,12 @@ void ImplicitSurface::dress(const RayStream& rays, const HitStream& hits, const 
   const DefaultFloatEnvironment environment;
   GradientStream points = {};
   int slots[kStreamSize];
+  bool made[kStreamSize] = {};
+  if (options_.normals == NormalKind::neighbour && wishes.normal && rays.kind == RayKind::primary)
+    find_neighbour_normals(rays, hits, options_.object, dressed, made);
   for (int i = 0; i < rays.size; ++i) {
     if (hits.object[i] != options_.object || !is_hit(hits, i)) continue;
+    if (made[i] && !wishes.value && !wishes.position) continue;
     const double o[3] = {rays.ox[i], rays.oy[i], rays.oz[i]}, d[3] = {rays.dx[i], rays.dy[i], rays.dz[i]};
     slots[points.size] = i;
     for (int a = 0; a < 3; ++a) points.position[a][points.size] = o[a] + hits.t[i] * d[a];
@@ -53,10 +58,10 @@ void ImplicitSurface::dress(const RayStream& rays, const HitStream& hits, const 
   for (int n = 0; n < points.size; ++n) {
     const int i = slots[n];
     if (wishes.value) dressed.value[i] = points.value[n];
-    if (!wishes.normal) continue;
+    if (!wishes.normal || made[i]) continue;
     const Double3 d = {rays.dx[i], rays.dy[i], rays.dz[i]};
     const Double3 normal =
-        options_.normals == NormalKind::gradient
+        options_.normals != NormalKind::difference
             ? normalized({points.gradient[0][n], points.gradient[1][n], points.gradient[2][n]})
             : difference_normal({points.position[0][n], points.position[1][n], points.position[2][n]},
                                 hits.t[i] * length(d));

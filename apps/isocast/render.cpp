@@ -65,7 +65,8 @@ void run(const RenderWords& words) {
                     built.method));
   const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
   RenderSettings settings;
-  settings.spp = words.spp;
+  settings.spp = words.aa == "spp" && words.spp == 1 ? 4 : words.spp;
+  settings.silhouettes = words.aa == "silhouette";
   settings.transparency_depth = words.transparency_depth;
   settings.reflections = words.reflections;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -84,18 +85,12 @@ void run(const RenderWords& words) {
     else write_png(path, width, height, film.color().data());
     const double write_ms = ms_since(write_start);
     if (words.stats.empty()) continue;
-    const FrameReport report{built,
-                             find_features(built.scene, film, settings),
-                             counts,
-                             std::string(name_of(evaluation.isa)),
-                             words.precision,
-                             threads,
-                             width,
-                             height,
-                             words.spp,
-                             render_ms,
-                             write_ms,
-                             ms_since(start)};
+    const FrameReport report{built,           find_features(built.scene, film, settings),
+                             counts,          std::string(name_of(evaluation.isa)),
+                             words.precision, threads,
+                             width,           height,
+                             settings.spp,    render_ms,
+                             write_ms,        ms_since(start)};
     write_stats(frames.size() == 1 || words.stats == "-" ? words.stats
                                                          : frame_path(words.stats, i, frames.size()).string(),
                 stats_json(report, ISOCAST_VERSION));
@@ -125,6 +120,11 @@ void add_render(CLI::App& app) {
   verb->add_option("--spp", w->spp,
                    "Samples per pixel for the colour; layers are those of the centre (default 1)")
       ->check(CLI::Range(1, 4096));
+  verb->add_option(
+          "--aa", w->aa,
+          "How edges are smoothed: none, spp (by --spp samples, 4 where it is not given), or silhouette "
+          "(formulas: the edges between pixels are found)")
+      ->check(CLI::IsMember({"none", "spp", "silhouette"}));
   verb->add_option("--light", w->lights,
                    "X,Y,Z: direction towards a directional light; up to 8 times, n lights have 1/n of the "
                    "strength each (default: a headlight)")
@@ -144,10 +144,11 @@ void add_render(CLI::App& app) {
                    "Picture of all directions (longitude by latitude, z up; .exr .hdr .png .jpg), seen where "
                    "nothing is hit and in reflections (default: white)");
   verb->add_option("--normals", w->normals,
-                   "gradient (of the cell, exact) or difference (central differences, smooth)")
-      ->check(CLI::IsMember({"gradient", "difference"}));
+                   "gradient (exact; of the cell of a volume), difference (central differences, smooth) or "
+                   "neighbour (formulas: from the pixels beside it)")
+      ->check(CLI::IsMember({"gradient", "difference", "neighbour"}));
   verb->add_option("--aov", w->aov, "Layers of the EXR: depth,z,normal,position,id,value,cost,certificate");
-  verb->add_option("--precision", w->precision, "float (default) or double")
+  verb->add_option("--precision", w->precision, "float (default), double, or mixed (frustum methods)")
       ->check(CLI::IsMember({"float", "double", "mixed"}));
   verb->add_option("--threads", w->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
   verb->add_option("--stats", w->stats, "What was done, as JSON, to a file or - for stdout");

@@ -66,6 +66,12 @@ std::vector<Double3> parse_lights(const std::vector<std::string>& words) {
   return lights;
 }
 
+NormalKind normals_from(const std::string& name) {
+  return name == "difference"  ? NormalKind::difference
+         : name == "neighbour" ? NormalKind::neighbour
+                               : NormalKind::gradient;
+}
+
 }  // namespace
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -124,7 +130,14 @@ SceneDescription describe(const RenderWords& words) {
   object.by_component = words.by_component;
   if (object.by_component && !std::holds_alternative<FormulaSource>(object.source))
     throw InputError("found --color-components for a volume, expected it for a formula");
-  object.normals = words.normals == "difference" ? NormalKind::difference : NormalKind::gradient;
+  object.normals = normals_from(words.normals);
+  if (object.normals == NormalKind::neighbour && !std::holds_alternative<FormulaSource>(object.source))
+    throw InputError("found --normals neighbour for a volume, expected it for a formula");
+  if (words.aa == "silhouette" && !std::holds_alternative<FormulaSource>(object.source))
+    throw InputError("found --aa silhouette for a volume, expected it for a formula");
+  if ((words.aa == "silhouette" || words.aa == "none") && words.spp > 1)
+    throw InputError(
+        fmt::format("--aa {}: found --spp {}, expected one sample a pixel", words.aa, words.spp));
   for (const std::string& word : words.clips)
     object.clips.push_back(
         {parse_expression(typed_formula(word), parse_parameters(words.params, "--param"), "--clip"),

@@ -15,7 +15,7 @@ struct RenderWords {
   std::string input, output, iso, iso_sweep, colors, method = "auto", size = "1024x1024", isa = "auto",
                                                      precision = "float";
   std::string position, target, up, fov, ortho, normals = "gradient", aov, stats;
-  std::string domain, time, opacity, reflectivity, environment;
+  std::string domain, time, opacity, reflectivity, environment, aa;
   std::vector<std::string> set, params, lights, clips;
   bool shadows = false, by_component = false;
   int spp = 1, threads = 0, transparency_depth = 4, reflections = 1;

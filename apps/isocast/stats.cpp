@@ -41,7 +41,8 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
   stats["mrays_per_s"] = static_cast<double>(rays) / (1000 * r.render_ms);
   stats["counts"] = {{"cells", r.counts.trace.cells},   {"macrocells", r.counts.trace.macrocells},
                      {"solves", r.counts.trace.solves}, {"evaluations", r.counts.trace.evaluations},
-                     {"tiles", r.counts.tiles},         {"tiles_culled", r.counts.tiles_culled}};
+                     {"tiles", r.counts.tiles},         {"tiles_culled", r.counts.tiles_culled},
+                     {"blended", r.counts.blended}};
   stats["hits"] = r.counts.hits;
   stats["misses"] = r.counts.misses;
   stats["undecided"] = r.counts.undecided;

@@ -4,6 +4,9 @@ namespace isocast {
 
 std::unique_ptr<PrimaryPass> Surface::primary(const View& /*view*/) const { return nullptr; }
 
+void Surface::find_edges(const PixelLines& /*lines*/, std::span<const EdgeStep> /*steps*/,
+                         std::span<float> /*shares*/) const {}
+
 void Surface::any_hit(const RayStream& rays, bool (&hit)[kStreamSize], TraceCounts& counts) const {
   HitStream hits;
   clear(hits);

@@ -2,19 +2,23 @@
 #pragma once
 
 #include <isocast/math/box.h>
+#include <isocast/ray/edge_step.h>
 #include <isocast/ray/hit.h>
+#include <isocast/ray/pixel_lines.h>
 #include <isocast/ray/primary_pass.h>
 #include <isocast/ray/stream.h>
 #include <isocast/ray/tile.h>
 
 #include <memory>
+#include <span>
 
 namespace isocast {
 
 class View;
 
-/// Normals from the gradient of what is solved, or from central differences of it.
-enum class NormalKind : std::uint8_t { gradient, difference };
+/// Normals from the gradient of what is solved, from central differences of it, or from the hits of
+/// neighbouring pixels (neighbour_normals.h; the gradient where there are none).
+enum class NormalKind : std::uint8_t { gradient, difference, neighbour };
 
 /// What shading and layers may ask of a hit.
 struct DressWishes {
@@ -58,6 +62,11 @@ class Surface {
 
   /// True where anything is hit. By default the first hit.
   virtual void any_hit(const RayStream& rays, bool (&hit)[kStreamSize], TraceCounts& counts) const;
+
+  /// For steps from hits of this object, where on the way its front ends: at a silhouette or at the domain's
+  /// edge, as a share of the step, or kNoEdge. By default nothing is found.
+  virtual void find_edges(const PixelLines& lines, std::span<const EdgeStep> steps,
+                          std::span<float> shares) const;
 
   /// Position, normal and value at the hits of this object.
   virtual void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,

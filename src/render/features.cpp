@@ -20,6 +20,7 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
   f.transparency = settings.colors && any_material(scene, [](const Material& m) { return m.opacity < 1; });
   if (settings.colors && any_material(scene, [](const Material& m) { return m.reflectivity > 0; }))
     f.reflections = settings.reflections;
+  f.silhouettes = settings.colors && settings.silhouettes;
   f.first_sample = {settings.colors || film.has(Layer::normal), film.has(Layer::position),
                     film.has(Layer::value)};
   f.other_samples = {settings.colors, false, false};
@@ -43,6 +44,7 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
     const Layer layer = static_cast<Layer>(i);
     if (film.has(layer)) f.used.push_back(fmt::format("layer:{}", name_of(layer)));
   }
+  list(f.silhouettes, "silhouettes");
   list(scene.objects.size() > 1, "object hierarchy");
   return f;
 }

@@ -15,14 +15,16 @@ namespace isocast {
 /// colors              false: only layers are wanted, nothing is shaded
 /// transparency_depth  crossings that a ray passes, at least 1; the last counts as opaque if more follow
 /// reflections         how often a ray is mirrored
+/// silhouettes         edges of surfaces are found and blended in (silhouettes.h)
 struct RenderSettings {
   int spp = 1;
   bool colors = true;
   int transparency_depth = 4, reflections = 1;
+  bool silhouettes = false;
 };
 
 struct Features {
-  bool shade = false, shadows = false, transparency = false;
+  bool shade = false, shadows = false, transparency = false, silhouettes = false;
   int reflections = 0;
   DressWishes first_sample,
       other_samples;  // what the hits of the first sample of a pixel must offer, and of the others

@@ -1,6 +1,7 @@
 #include <isocast/base/error.h>
 #include <isocast/base/mapped_file.h>
 #include <isocast/render/film_layers.h>
+#include <isocast/render/silhouettes.h>
 #include <isocast/render/transparency.h>
 #include <oneapi/tbb/combinable.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -62,9 +63,16 @@ void add_nothing(const Frame& frame, int tx, int ty, int sample, Film& film, Ren
   }
 }
 
+// Where samples leave what they see: the hits of pixels only where silhouettes want them.
+struct Target {
+  Film& film;
+  std::vector<PixelHit> pixels;
+};
+
 // One sample of every pixel of a tile. found: as in trace_first_hits.
 void render_sample(const Frame& frame, int tx, int ty, int sample, HitStream* found, TileBuffers& b,
-                   Film& film, RenderCounts& counts) {
+                   Target& target, RenderCounts& counts) {
+  Film& film = target.film;
   find_candidates(frame, tx, ty, found, b.candidates);
   if (sample == 0) {
     ++counts.tiles;
@@ -80,11 +88,12 @@ void render_sample(const Frame& frame, int tx, int ty, int sample, HitStream* fo
   trace_first_hits(frame, found, b, counts.trace);
   dress_hits(frame, sample == 0 ? frame.features.first_sample : frame.features.other_samples, b);
   if (sample == 0) write_layers(frame, b.primary, film, counts);
+  if (sample == 0 && frame.features.silhouettes) keep_hits(frame, b.primary, target.pixels);
   if (frame.features.shade) add_colors(frame, b, film, counts);
 }
 
 // All samples of one block of tiles.
-void render_block(const Frame& frame, int bx, int by, Worker& worker, Film& film, Progress* progress) {
+void render_block(const Frame& frame, int bx, int by, Worker& worker, Target& target, Progress* progress) {
   if (!worker.block) worker.block = std::make_unique_for_overwrite<BlockHits>();
   BlockHits& block = *worker.block;
   const int columns = std::min(kBlockTiles, tiles_along(frame.view.width()) - bx * kBlockTiles),
@@ -98,7 +107,7 @@ void render_block(const Frame& frame, int bx, int by, Worker& worker, Film& film
     for (int y = 0; y < rows; ++y)
       for (int x = 0; x < columns; ++x)
         render_sample(frame, bx * kBlockTiles + x, by * kBlockTiles + y, sample,
-                      block.is_open(x, y) ? &block.tile(x, y) : nullptr, *worker.buffers, film,
+                      block.is_open(x, y) ? &block.tile(x, y) : nullptr, *worker.buffers, target,
                       worker.counts);
   }
   if (progress) progress->add(columns * rows);
@@ -132,6 +141,7 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
   hits += other.hits;
   misses += other.misses;
   undecided += other.undecided;
+  blended += other.blended;
   tiles += other.tiles;
   tiles_culled += other.tiles_culled;
   trace += other.trace;
@@ -146,6 +156,9 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
                     std::stop_token stop, Progress* progress) {
   assert(settings.transparency_depth >= 1);
   const Frame frame = make_frame(scene, view, settings, film);
+  Target target{film, {}};
+  if (frame.features.silhouettes)
+    target.pixels.resize(std::size_t(view.width()) * static_cast<std::size_t>(view.height()));
   oneapi::tbb::combinable<Worker> workers;
   const int tiles = tiles_along(view.width());
   if (frame.passes.empty())
@@ -153,7 +166,7 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
       Worker& worker = workers.local();
       for (int sample = 0; sample < settings.spp && !stop.stop_requested(); ++sample)
         render_sample(frame, static_cast<int>(tile % tiles), static_cast<int>(tile / tiles), sample, nullptr,
-                      *worker.buffers, film, worker.counts);
+                      *worker.buffers, target, worker.counts);
       if (progress) progress->add();
     });
   else {
@@ -161,12 +174,13 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
               rows = (tiles_along(view.height()) + kBlockTiles - 1) / kBlockTiles;
     oneapi::tbb::parallel_for(0, blocks * rows, [&](int block) {
       if (stop.stop_requested()) return;
-      render_block(frame, block % blocks, block / blocks, workers.local(), film, progress);
+      render_block(frame, block % blocks, block / blocks, workers.local(), target, progress);
     });
   }
   if (stop.stop_requested()) throw Interrupted();
   check_mapped_files();
   RenderCounts counts;
+  if (frame.features.silhouettes) counts.blended = blend_silhouettes(frame, target.pixels, film);
   workers.combine_each([&](const Worker& worker) { counts += worker.counts; });
   return counts;
 }

@@ -17,7 +17,7 @@ namespace isocast {
 struct RenderCounts {
   std::int64_t primary = 0, shadow = 0, reflection = 0, transparency = 0;
   std::int64_t hits = 0, misses = 0, undecided = 0;
-  std::int64_t tiles = 0, tiles_culled = 0;
+  std::int64_t tiles = 0, tiles_culled = 0, blended = 0;
   TraceCounts trace;
   RenderCounts& operator+=(const RenderCounts& other);
 };

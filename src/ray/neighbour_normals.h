@@ -1,0 +1,18 @@
+// Normals from the hits of neighbouring pixels.
+#pragma once
+
+#include <isocast/ray/surface.h>
+
+namespace isocast {
+
+/// For the hits of one object by a primary stream (View::fill's order): the normal of the triangle with those
+/// of the left or right and of the upper or lower neighbour in the tile that are nearest in depth, turned
+/// against the ray. made[i] tells where there are such; nothing else is written.
+///
+/// source  Reimers, Seland: Ray casting algebraic surfaces using the frustum form, Computer Graphics Forum
+/// 27(2),
+///         2008
+void find_neighbour_normals(const RayStream& rays, const HitStream& hits, std::uint16_t object,
+                            DressedHits& dressed, bool (&made)[kStreamSize]);
+
+}  // namespace isocast
