@@ -32,7 +32,8 @@ struct Edge {
     const double da = (g * h_s - g_s * h) / determinant, ds = (g_a * h - h_a * g) / determinant;
     a -= da, s -= ds;
     const double drawn_in = 1e-3;
-    active = a > -0.5 && a < 1.5 && s > 0 && std::isfinite(da + ds);
+    // a quadratic's first step goes twice as far as its silhouette is
+    active = a > -1 && a < 2.5 && s > 0 && std::isfinite(da + ds);
     found = active && std::abs(da) < drawn_in;
     active = active && !found;
   }

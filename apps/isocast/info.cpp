@@ -1,5 +1,7 @@
-// isocast info: what a volume file holds, as a table or as JSON.
+// isocast info: what a volume file or a formula holds, as a table or as JSON.
 #include <fmt/format.h>
+#include <isocast/apps/isocast/formula_info.h>
+#include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/apps/isocast/volume_options.h>
 #include <isocast/base/mapped_file.h>
@@ -22,6 +24,8 @@ struct InfoOptions {
   std::string file;
   ReadOptions read;
   bool json = false;
+  std::vector<std::string> params;
+  std::string time = "0";
 };
 
 // The grid in the world: origin, and direction and spacing of each axis.
@@ -144,6 +148,12 @@ void print_table(const std::string& file, const Volume& volume, const VolumeStat
 }
 
 void run(const InfoOptions& options) {
+  const Parameters parameters = parse_parameters(options.params, "--param");
+  if (!is_volume_file(options.file, parameters)) {
+    print_formula_info(read_formula({options.file, parameters, {}}), parse_number(options.time, "--time"),
+                       options.json);
+    return;
+  }
   const Volume volume = read_volume(options.file, options.read);
   const VolumeStatistics statistics = statistics_of(volume);
   check_mapped_files();
@@ -154,11 +164,17 @@ void run(const InfoOptions& options) {
 }  // namespace
 
 void add_info(CLI::App& app) {
-  CLI::App* verb =
-      app.add_subcommand("info", "What a volume file holds: dimensions, type, range, histogram, iso-values");
+  CLI::App* verb = app.add_subcommand(
+      "info",
+      "What a volume file holds: dimensions, type, range, histogram, iso-values; or a formula: "
+      "whether it is a polynomial, and its terms");
   const auto options = std::make_shared<InfoOptions>();
-  verb->add_option("FILE", options->file, "A volume: .raw .nrrd .nhdr .mhd .mha .nii .nii.gz .vti .vdb .nvdb")
+  verb->add_option("FILE", options->file,
+                   "A volume: .raw .nrrd .nhdr .mhd .mha .nii .nii.gz .vti .vdb .nvdb; a formula, or @id")
       ->required();
+  verb->add_option("--param", options->params, "NAME=VALUE: a parameter of the formula")
+      ->allow_extra_args(false);
+  verb->add_option("--time", options->time, "Time, the variable w of the formula (default 0)");
   verb->add_flag("--json", options->json, "One object on stdout");
   add_read_options(*verb, options->read);
   verb->callback([options] { run(*options); });

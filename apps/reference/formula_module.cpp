@@ -10,7 +10,7 @@ std::unique_ptr<RayReference> make(const Expression& expression, const Domain& d
   return std::make_unique<FormulaRayReference>(expression, domain, time, iso, options);
 }
 
-constexpr FormulaModule kTable = {make};
+constexpr FormulaModule kTable = {make, polynomial_terms};
 
 }  // namespace
 }  // namespace isocast::reference
