@@ -26,11 +26,13 @@ template <Real R> PrimaryRay<R> to_grid(const VolumeQuery& query, const PrimaryR
 bool is_parallel(double inverse) { return !(abs(inverse) < __builtin_inf()); }
 
 // The number of the cells that a ray keeps to along an axis that it is parallel to, as find_block
-// (traverse.h) has it; -1 outside the active blocks.
+// (traverse.h) has it; a number that no cell has outside the active blocks.
 double parallel_cell(const VolumeQuery& query, int a, double o, double d) {
-  const double first = double(query.active.lo[a] << kBrickShift),
-               end = min(double((query.active.hi[a] + 1) << kBrickShift), double(query.samples.last[a]));
-  if (!(o >= first && o <= end)) return -1;
+  const int shift = query.sparse ? kTreeShifts[0] : query.grid.levels[0].shift;
+  const double size = double(1 << shift),
+               first = max(double(query.active.lo[a]) * size, double(query.samples.first[a])),
+               end = min((double(query.active.hi[a]) + 1) * size, double(query.samples.last[a]));
+  if (!(o >= first && o <= end)) return __builtin_inf();
   const double cell = min(floor(o), end - 1);
   return d < 0 && cell > first && cell >= o ? cell - 1 : cell;
 }
