@@ -38,6 +38,19 @@ void fetch_any(const VolumeQuery& query, int iso, const std::int32_t (*cells)[3]
 
 }  // namespace
 
+void prefetch_block(const VolumeQuery& query, const std::int32_t (&first)[3]) {
+  if (query.sparse) return;
+  constexpr int kSamples = 5;
+  const GridView& grid = query.grid;
+  const std::size_t bytes = size_of(grid.type), row = bytes * std::size_t(grid.dims[0]),
+                    slice = row * std::size_t(grid.dims[1]);
+  const auto* corner = static_cast<const std::byte*>(grid.samples) + std::size_t(first[2]) * slice +
+                       std::size_t(first[1]) * row + bytes * std::size_t(first[0]);
+  for (int z = 0; z < kSamples && first[2] + z < grid.dims[2]; ++z)
+    for (int y = 0; y < kSamples && first[1] + y < grid.dims[1]; ++y)
+      __builtin_prefetch(corner + std::size_t(z) * slice + std::size_t(y) * row);
+}
+
 void fetch_cells(const VolumeQuery& query, int iso, const std::int32_t (*cells)[3], int count, float (*f)[8],
                  FetchedCell* states) {
   fetch_any(query, iso, cells, count, f, states);
