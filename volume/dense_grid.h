@@ -27,6 +27,9 @@ template <class S> class DenseGrid {
   /// The sample of grid point c, inside the grid.
   ISO_HD S at(const std::int32_t (&c)[3]) const { return *corner(c); }
 
+  /// Makes `place` that of cell c.
+  ISO_HD void enter(const std::int32_t (&)[3], Place&) const {}
+
   /// The eight corners of cell c, x fastest.
   ISO_HD void load_corners(const std::int32_t (&c)[3], const Place&, S (&f)[8]) const {
     const S* p = corner(c);

@@ -1,8 +1,7 @@
 #include <isocast/math/vec.h>
 #include <isocast/volume/cell/cell.h>
-#include <isocast/volume/dense_grid.h>
 #include <isocast/volume/dress.h>
-#include <isocast/volume/sparse_grid.h>
+#include <isocast/volume/visit_grid.h>
 
 #include <algorithm>
 
@@ -82,14 +81,8 @@ void dress(const VolumeDressing& dressing, const RayStream& rays, const HitStrea
 
 void dress_volume_hits(const VolumeDressing& dressing, const RayStream& rays, const HitStream& hits,
                        const DressWishes& wishes, DressedHits& dressed) {
-  if (dressing.query.sparse)
-    visit_sparse_type(dressing.query.tree.type, [&]<class S>(SparseTag<S>) {
-      dress<SparseGrid<S>>(dressing, rays, hits, wishes, dressed);
-    });
-  else
-    visit_sample_type(dressing.query.grid.type, [&]<class S>(SampleTag<S>) {
-      dress<DenseGrid<S>>(dressing, rays, hits, wishes, dressed);
-    });
+  visit_grid(dressing.query,
+             [&]<class Grid>(GridTag<Grid>) { dress<Grid>(dressing, rays, hits, wishes, dressed); });
 }
 
 }  // namespace isocast

@@ -44,7 +44,7 @@ struct VolumeQuery {
 void trace_first_hits(const VolumeQuery& query, const RayStream& rays, HitStream& hits, TraceCounts& counts);
 void trace_next_hits(const VolumeQuery& query, const RayStream& rays, HitStream& hits, TraceCounts& counts);
 
-/// HitStream::sides of a root of iso-value `iso` that a ray with t_min = 0 has in a cell of a dense grid.
+/// HitStream::sides of a root of iso-value `iso` that a ray with t_min = 0 has in a cell.
 /// behind: f is negative behind it; touched: so it is in front.
 [[nodiscard]] std::uint32_t sides_of_root(const VolumeQuery& query, const RayStream& rays, int slot,
                                           const std::int32_t (&cell)[3], int iso, bool behind, bool touched);

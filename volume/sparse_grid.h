@@ -46,10 +46,15 @@ template <class S> class SparseGrid {
     }
   }
 
-  ISO_HD std::uint32_t active_isos(const std::int32_t (&c)[3], Place& place) const {
+  /// Makes `place` that of cell c.
+  ISO_HD void enter(const std::int32_t (&c)[3], Place& place) const {
     const std::int32_t block[3] = {c[0] >> 3, c[1] >> 3, c[2] >> 3};
     if (place.block[0] != block[0] || place.block[1] != block[1] || place.block[2] != block[2])
       set_place(place, block, find_entry(tree_, kTreeLevels - 1, block).entry);
+  }
+
+  ISO_HD std::uint32_t active_isos(const std::int32_t (&c)[3], Place& place) const {
+    enter(c, place);
     Sample raw[8];
     load_corners(c, place, raw);
     const std::uint32_t parted = parted_isos(raw, keys_, iso_count_);

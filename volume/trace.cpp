@@ -1,7 +1,7 @@
 // Streams of rays through dense grids of every sample type.
-#include <isocast/volume/dense_grid.h>
 #include <isocast/volume/trace_sparse.h>
 #include <isocast/volume/trace_stream.h>
+#include <isocast/volume/visit_grid.h>
 
 namespace isocast {
 namespace {
@@ -13,13 +13,14 @@ void trace(const VolumeQuery& query, bool next, const RayStream& rays, HitStream
   });
 }
 
-template <class T, class S>
+template <class T, class Grid>
 std::uint32_t sides(const VolumeQuery& query, const RayStream& rays, int slot, const std::int32_t (&cell)[3],
                     int iso, bool behind, bool touched) {
-  const DenseGrid<S> grid(query);
-  Lane<DenseGrid<S>> lane;
+  const Grid grid(query);
+  Lane<Grid> lane;
   lane.ray = grid_ray(query, rays, slot);
   resume_in_cell(lane.ray, grid.shifts, cell, rays.t_min[slot], lane.walk);
+  grid.enter(cell, lane.place);
   return sides_in_front<T>(query, grid, lane, iso, behind, touched);
 }
 
@@ -35,9 +36,9 @@ void trace_next_hits(const VolumeQuery& query, const RayStream& rays, HitStream&
 std::uint32_t sides_of_root(const VolumeQuery& query, const RayStream& rays, int slot,
                             const std::int32_t (&cell)[3], int iso, bool behind, bool touched) {
   if (query.iso_count == 1) return std::uint32_t(behind == touched) << iso;
-  return visit_sample_type(query.grid.type, [&]<class S>(SampleTag<S>) {
-    return query.double_precision ? sides<double, S>(query, rays, slot, cell, iso, behind, touched)
-                                  : sides<float, S>(query, rays, slot, cell, iso, behind, touched);
+  return visit_grid(query, [&]<class Grid>(GridTag<Grid>) {
+    return query.double_precision ? sides<double, Grid>(query, rays, slot, cell, iso, behind, touched)
+                                  : sides<float, Grid>(query, rays, slot, cell, iso, behind, touched);
   });
 }
 

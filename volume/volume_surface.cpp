@@ -75,6 +75,7 @@ void VolumeSurface::use_dense_grid() {
     query_.samples.last[a] = grid.dims[a] - 1;
     last[a] = query_.samples.last[a];
   }
+  bricks_ = dense_bricks(grid);
   bounds_ = world_box({0, 0, 0}, last);
 }
 
@@ -86,6 +87,7 @@ void VolumeSurface::use_tree() {
   if (tree.first_active()[0] > tree.last_active()[0]) return;
   ranges_.emplace(tree);
   query_.tree_ranges = ranges_->view();
+  bricks_ = sparse_bricks(tree);
   Double3 first, last;
   for (int a = 0; a < 3; ++a) {
     query_.samples.first[a] = tree.first_active()[a] - 1;
@@ -136,7 +138,7 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
                                  {(b.hi[0] + 1) * size, (b.hi[1] + 1) * size, (b.hi[2] + 1) * size});
     }
   }
-  if (macrocells_) choose_masks();
+  choose_masks();
   query_.method = options.method.method;
   query_.options = options.method.options;
   query_.proves = options.method.proves();
@@ -153,14 +155,14 @@ void VolumeSurface::choose_masks() {
   for (int i = 0; i < query_.iso_count; ++i) {
     const double key = query_.key[i];
     const auto kept = std::ranges::find_if(masks_, [&](const auto& m) { return m->key() == key; });
-    masks.push_back(kept != masks_.end() ? *kept : std::make_shared<const IsoMasks>(query_.grid, key));
+    masks.push_back(kept != masks_.end() ? *kept : std::make_shared<const IsoMasks>(bricks_.count, key));
   }
   masks_ = std::move(masks);
 }
 
 std::unique_ptr<PrimaryPass> VolumeSurface::primary(const View& view) const {
-  if (!macrocells_) return nullptr;
-  std::optional<BricksInView> bricks = find_bricks(query_, volume_->world_from_grid, view);
+  if (bricks_.count == 0) return nullptr;
+  std::optional<BricksInView> bricks = find_bricks(query_, bricks_, volume_->world_from_grid, view);
   if (!bricks) return nullptr;
   return std::make_unique<VolumePass>(query_, masks_, view, std::move(*bricks), isa_);
 }

@@ -6,6 +6,7 @@
 #include <isocast/volume/macrocells.h>
 #include <isocast/volume/methods.h>
 #include <isocast/volume/primary/brick_masks.h>
+#include <isocast/volume/primary/bricks.h>
 #include <isocast/volume/query.h>
 #include <isocast/volume/sparse_ranges.h>
 #include <isocast/volume/volume.h>
@@ -68,7 +69,8 @@ class VolumeSurface final : public Surface {
   std::optional<SparseRangeTree> ranges_;  // of a sparse one
   Box bounds_, active_bounds_;
   VolumeQuery query_ = {};
-  std::vector<std::shared_ptr<const IsoMasks>> masks_;  // one for each iso-value of a dense grid
+  Bricks bricks_;
+  std::vector<std::shared_ptr<const IsoMasks>> masks_;  // one for each iso-value
   Isa isa_;
   NormalKind normals_;
 };

@@ -3,6 +3,7 @@
 #include <isocast/apps/bench/cells.h>
 #include <isocast/apps/bench/evaluate.h>
 #include <isocast/apps/bench/findings.h>
+#include <isocast/apps/bench/frames.h>
 #include <isocast/apps/bench/papers.h>
 #include <isocast/apps/bench/picture_report.h>
 #include <isocast/apps/bench/stability_report.h>
@@ -16,6 +17,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 
 namespace isocast::verbs {
@@ -31,6 +33,9 @@ struct Findings {
 
   void add(const std::vector<Row>& more) { rows.insert(rows.end(), more.begin(), more.end()); }
 };
+
+// The tests' switch to full size.
+bool nightly() { return std::getenv("ISOCAST_NIGHTLY") != nullptr; }
 
 void bench_pictures(const BenchWords& words, Findings& all) {
   const PictureOptions options = picture_options(words);
@@ -66,6 +71,19 @@ void bench_evaluate(const BenchWords& words, Findings& all) {
   all.text += evaluate_summary(all.rows);
 }
 
+// Frames of volumes: tables and a plot of their own beside the rows.
+void bench_frames(const BenchWords& words, Findings& all) {
+  FrameOptions options;
+  if (words.quick) options = {{32, 64}, 256, 2};
+  else if (nightly()) options.sizes.push_back(1024);
+  const std::vector<FrameTimes> frames = run_frames(options);
+  all.add(rows_of(frames));
+  const std::filesystem::path folder = words.folder;
+  write_text_file(folder / "frames.csv", frames_csv(frames));
+  write_text_file(folder / "frames.svg", frames_plot(frames));
+  all.text += frames_summary(frames);
+}
+
 // The suite has a report of its own. Whether all is as expected.
 bool bench_stability(const BenchWords& words, const std::filesystem::path& folder, Findings& all) {
   StressOptions options;
@@ -95,6 +113,7 @@ void run(const BenchWords& words) {
   if (input == "cells" || input == "all") bench_cells(words, all);
   if (input == "evaluate") bench_evaluate(words, all);
   if (has_pictures(words)) bench_pictures(words, all);
+  if (input == "frames" || input == "volumes") bench_frames(words, all);
   bool as_expected = true;
   if (input == "stability") as_expected = bench_stability(words, words.folder, all);
   if (input == "all")
@@ -115,6 +134,7 @@ std::string input_help() {
       "A suite, or an INPUT of render (a formula, @id, a volume file); without one, all suites of pictures."
       "\ncells: every cell intersector on every family of cells"
       "\nstability: what can break ray tracing, with what is expected of every method"
+      "\nframes: test volumes of growing size as whole frames, stage by stage; volumes runs them too"
       "\nevaluate: tapes against compiled formulas, without a report"
       "\npapers: the papers' tables with our figures beside theirs, and their claims"
       "\nall: cells, all suites of pictures and papers in one report, and stability beside it";

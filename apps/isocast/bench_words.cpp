@@ -16,7 +16,7 @@ namespace {
 using namespace bench;
 
 // The suites that always run all methods; `all` holds pictures, too.
-constexpr std::string_view kRowSuites[] = {"cells", "evaluate", "stability", "papers", "all"};
+constexpr std::string_view kRowSuites[] = {"cells", "evaluate", "frames", "stability", "papers", "all"};
 
 bool is_row_suite(const std::string& word) {
   return std::ranges::find(kRowSuites, word) != std::end(kRowSuites);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 
+#include "make_tree.h"
 #include "make_volume.h"
 
 using namespace isocast;
@@ -163,6 +164,56 @@ TEST_CASE("random cameras: every ray has the hit of the walk", "[property]") {
     hits += compare(surface, view, random() % 2 ? 0.5 : 0.0, 0.5, bound);
   }
   CHECK(hits > 1000 * test::cases(140, 20000));
+}
+
+// Scattered leaves, also at negative places, with inactive samples; active and inactive tiles beside them.
+std::shared_ptr<Volume> patchy_tree(SparseType type) {
+  TreeMaker maker(type, 7);
+  std::mt19937_64 random(3);
+  for (int z = -2; z < 4; ++z)
+    for (int y = -3; y < 3; ++y)
+      for (int x = -2; x < 5; ++x) {
+        const auto kind = random() % 6;
+        const std::array<std::int32_t, 3> origin = {8 * x, 8 * y, 8 * z};
+        if (kind == 0) maker.tile(origin, 3, 60, true);
+        if (kind == 1) maker.tile(origin, 3, 70, false);
+        if (kind < 3) continue;
+        for (int n = 0; n < 512; ++n) {
+          const std::array<std::int32_t, 3> p = {origin[0] + (n & 7), origin[1] + (n >> 3 & 7),
+                                                 origin[2] + (n >> 6)};
+          maker.set(p, wavy(p[0], p[1], p[2]), kind != 3 || random() % 4);
+        }
+      }
+  maker.tile({128, 0, 0}, 7, 50, true);
+  return maker.volume();
+}
+
+TEST_CASE("sparse grids: every ray has the hit of the walk") {
+  std::mt19937_64 random(13);
+  std::int64_t hits = 0;
+  for (const SparseType type : {SparseType::f32, SparseType::i16, SparseType::f64})
+    for (const std::vector<double>& iso : {std::vector<double>{41}, {20, 41, 55}})
+      for (const char* method : {"marmitt", "certified"}) {
+        VolumeSurfaceOptions options = surface_options(0, widest_isa(), method);
+        options.iso = iso;
+        const VolumeSurface surface(patchy_tree(type), options);
+        Box near;
+        near.add(Double3{-16, -24, -16});
+        near.add(Double3{40, 24, 32});
+        for (int round = 0; round < 4; ++round) {
+          const View view(random_camera(random, round % 4 ? near : surface.bounds()), 170, 160);
+          INFO("round " << round << ", " << method);
+          if (surface.primary(view)) hits += compare(surface, view);
+        }
+      }
+  CHECK(hits > 50000);
+}
+
+TEST_CASE("where bricks are many and pixels few the walk is left alone") {
+  const VolumeSurface surface(make_volume({200, 200, 200}, SampleType::u8, rough), surface_options(64));
+  const Camera camera = frame(surface.bounds(), {}, 1);
+  CHECK_FALSE(surface.primary(View(camera, 64, 64)));
+  CHECK(surface.primary(View(camera, 1024, 1024)));
 }
 
 TEST_CASE("grids that are turned, sheared and mirrored: every ray has the hit of the walk") {

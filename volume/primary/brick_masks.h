@@ -1,8 +1,8 @@
-// Which cells of a dense grid hold an iso-value: bits, brick by brick, made where they are first asked for.
+// The masks of one iso-value's bricks, made where they are first asked for.
 #pragma once
 
-#include <isocast/volume/grid.h>
 #include <isocast/volume/primary/brick_mask.h>
+#include <isocast/volume/query.h>
 
 #include <atomic>
 #include <cstddef>
@@ -10,23 +10,24 @@
 
 namespace isocast {
 
-/// The masks of one iso-value. Bricks that nobody asks for are never looked at.
+/// Bricks that nobody asks for are never looked at.
 class IsoMasks {
  public:
   /// key  the iso-value's threshold (sample.h)
-  IsoMasks(const GridView& grid, double key);
+  IsoMasks(std::size_t bricks, double key);
   ~IsoMasks();
   IsoMasks(const IsoMasks&) = delete;
   IsoMasks& operator=(const IsoMasks&) = delete;
 
   [[nodiscard]] double key() const { return key_; }
-  /// The mask of brick b, x fastest, or null where its samples do not enclose the iso-value. From any thread.
-  [[nodiscard]] const BrickMask* of(std::size_t brick) const;
+  /// The mask of brick number `brick`, whose first cell is `first`, or null where no cell is active. iso: the
+  /// iso-value's place in the query. From any thread.
+  [[nodiscard]] const BrickMask* of(const VolumeQuery& query, int iso, std::size_t brick,
+                                    const std::int32_t (&first)[3]) const;
   /// Memory of the masks made so far.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  GridView grid_;
   double key_;
   std::size_t count_;
   std::unique_ptr<std::atomic<const BrickMask*>[]> masks_;

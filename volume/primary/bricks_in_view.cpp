@@ -2,12 +2,15 @@
 #include <isocast/volume/primary/brick_mask.h>
 #include <isocast/volume/primary/bricks_in_view.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace isocast {
 namespace {
 
-constexpr double kMargin = 0x1p-4;    // pixels; more than that of the kernels
+constexpr double kMargin = 0x1p-4;  // pixels; more than that of the kernels
+// A brick that a patch must look at takes as long as the walk of so many rays.
+constexpr std::int64_t kPixelsPerBrick = 5;
 constexpr double kFarthest = 0x1p40;  // cells; from there on planes may fall together
 
 Double3 double3(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
@@ -78,11 +81,11 @@ class Finder {
       for (int c = 0; c < 3; ++c) linear_[r][c] = found.map.to_pixel[r][c];
   }
 
-  void add(std::size_t index, const std::int32_t (&b)[3]) {
+  void add(std::size_t index, const std::int32_t (&first)[3]) {
     SeenBrick brick = {index, {}, {}, 0};
     Double3 center;
     for (int a = 0; a < 3; ++a) {
-      brick.first[a] = b[a] * kBrickSize;
+      brick.first[a] = first[a];
       center[a] = brick.first[a] + 0.5 * kBrickSize;
     }
     const ScreenMap& map = found_.map;
@@ -100,12 +103,7 @@ class Finder {
     } else if (!clip(f.u, f.du, brick.pixels.x_lo, brick.pixels.x_hi) ||
                !clip(f.v, f.dv, brick.pixels.y_lo, brick.pixels.y_hi))
       return;
-    const auto number = static_cast<std::uint32_t>(found_.bricks.size());
     found_.bricks.push_back(brick);
-    const PixelBox& p = brick.pixels;
-    for (int y = p.y_lo / kPatchSize; y <= p.y_hi / kPatchSize; ++y)
-      for (int x = p.x_lo / kPatchSize; x <= p.x_hi / kPatchSize; ++x)
-        found_.patches[std::size_t(y) * found_.columns + x].push_back(number);
   }
 
  private:
@@ -139,10 +137,56 @@ class Finder {
   double linear_[3][3];
 };
 
+// All bricks of a dense grid that hold an iso-value, nearest first along each axis.
+void add_dense(const VolumeQuery& query, const ScreenMap& map, Finder& finder) {
+  std::vector<std::int32_t> order[3];
+  for (int a = 0; a < 3; ++a) {
+    const std::int32_t lo = query.active.lo[a], hi = query.active.hi[a];
+    const double from =
+        map.orthographic ? (map.eye[a] > 0 ? double(hi) : double(lo)) : std::floor(map.eye[a] / kBrickSize);
+    order[a] = outward(lo, hi, from);
+  }
+  const std::int32_t(&dims)[3] = query.grid.levels[0].dims;
+  visit_sample_type(query.grid.type, [&]<class S>(SampleTag<S>) {
+    const DenseGrid<S> grid(query);
+    typename DenseGrid<S>::Place place;
+    for (const std::int32_t z : order[2])
+      for (const std::int32_t y : order[1])
+        for (const std::int32_t x : order[0])
+          if (grid.block_active(0, {x, y, z}, place))
+            finder.add((std::size_t(z) * dims[1] + y) * dims[0] + x,
+                       {x * kBrickSize, y * kBrickSize, z * kBrickSize});
+  });
+}
+
+void add_sparse(const Bricks& bricks, BricksInView& found, Finder& finder) {
+  for (std::size_t i = 0; i < bricks.count; ++i)
+    finder.add(i, {bricks.first[i][0], bricks.first[i][1], bricks.first[i][2]});
+  std::ranges::sort(found.bricks, {}, &SeenBrick::nearest);
+}
+
+// Tells every patch its bricks; false where the walk is faster.
+bool fill_patches(const View& view, BricksInView& found) {
+  std::int64_t entries = 0, pixels = 0;
+  for (std::size_t i = 0; i < found.bricks.size(); ++i) {
+    const PixelBox& p = found.bricks[i].pixels;
+    for (int y = p.y_lo / kPatchSize; y <= p.y_hi / kPatchSize; ++y)
+      for (int x = p.x_lo / kPatchSize; x <= p.x_hi / kPatchSize; ++x) {
+        std::vector<std::uint32_t>& patch = found.patches[std::size_t(y) * found.columns + x];
+        ++entries;
+        if (patch.empty())
+          pixels += std::int64_t(std::min(kPatchSize, view.width() - x * kPatchSize)) *
+                    std::min(kPatchSize, view.height() - y * kPatchSize);
+        patch.push_back(static_cast<std::uint32_t>(i));
+      }
+  }
+  return entries * kPixelsPerBrick <= pixels;
+}
+
 }  // namespace
 
-std::optional<BricksInView> find_bricks(const VolumeQuery& query, const Transform& world_from_grid,
-                                        const View& view) {
+std::optional<BricksInView> find_bricks(const VolumeQuery& query, const Bricks& bricks,
+                                        const Transform& world_from_grid, const View& view) {
   Transform grid_from_world;
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 4; ++c) grid_from_world.m[r][c] = query.grid_from_world[r][c];
@@ -152,25 +196,10 @@ std::optional<BricksInView> find_bricks(const VolumeQuery& query, const Transfor
   found.rows = (view.height() + kPatchSize - 1) / kPatchSize;
   found.patches.resize(std::size_t(found.columns) * found.rows);
 
-  std::vector<std::int32_t> order[3];
-  for (int a = 0; a < 3; ++a) {
-    const std::int32_t lo = query.active.lo[a], hi = query.active.hi[a];
-    const double from = found.map.orthographic ? (found.map.eye[a] > 0 ? double(hi) : double(lo))
-                                               : std::floor(found.map.eye[a] / kBrickSize);
-    order[a] = outward(lo, hi, from);
-  }
-  const std::int32_t(&dims)[3] = query.grid.levels[0].dims;
   Finder finder(view, found);
-  visit_sample_type(query.grid.type, [&]<class S>(SampleTag<S>) {
-    const DenseGrid<S> grid(query);
-    for (const std::int32_t z : order[2])
-      for (const std::int32_t y : order[1])
-        for (const std::int32_t x : order[0]) {
-          typename DenseGrid<S>::Place place;
-          const std::int32_t b[3] = {x, y, z};
-          if (grid.block_active(0, b, place)) finder.add((std::size_t(z) * dims[1] + y) * dims[0] + x, b);
-        }
-  });
+  if (query.sparse) add_sparse(bricks, found, finder);
+  else add_dense(query, found.map, finder);
+  if (!fill_patches(view, found)) return std::nullopt;
   return found;
 }
 

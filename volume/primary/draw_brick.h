@@ -20,12 +20,13 @@ struct DrawContext {
   PixelBox clip;
 };
 
-/// Some of a cube's boxes in the order in which they are drawn: their first cells, their numbers in the cube
-/// and their pixels.
+/// Some of a cube's boxes in the order in which they are drawn: their first cells, their numbers in the cube,
+/// their pixels and nearest_t.
 struct BoxList {
   std::int32_t first[kCubeBoxes][3];
   int number[kCubeBoxes];
   PixelBox pixels[kCubeBoxes];
+  float nearest[kCubeBoxes];  // no ray meets the box before this t
   int size = 0;
 };
 
@@ -65,37 +66,58 @@ inline void list_boxes(const DrawContext& context, std::uint64_t bits, const std
     centers[2][n] = float(size) * (float(number >> 4) + 0.5f);
   }
   const double corner[3] = {double(first[0]), double(first[1]), double(first[2])};
-  float base[3], u[kCubeBoxes], v[kCubeBoxes], du[kCubeBoxes], dv[kCubeBoxes];
-  for (int r = 0; r < 3; ++r) base[r] = float(apply(map.h[r], corner));
+  float base[3], eye[3], spans[4][kCubeBoxes], nearest[kCubeBoxes];  // spans: x from, to; y from, to
+  for (int r = 0; r < 3; ++r) {
+    base[r] = float(apply(map.h[r], corner));
+    eye[r] = float(apply(context.map.to_eye[r], corner));
+  }
+  const R radius = R(float(size * context.map.cell_radius));
+  const PixelBox& clip = context.clip;
   std::uint64_t whole = 0;
   for (int i = 0; i < count; i += kWidth<R>) {
     const R x = load<R>(centers[0] + i), y = load<R>(centers[1] + i), z = load<R>(centers[2] + i);
-    R at[3];
-    for (int r = 0; r < 3; ++r)
+    R at[3], from_eye[3];
+    for (int r = 0; r < 3; ++r) {
       at[r] = R(base[r]) + R(map.linear[r][0]) * x + R(map.linear[r][1]) * y + R(map.linear[r][2]) * z;
+      from_eye[r] = R(eye[r]) + R(map.eye[r][0]) * x + R(map.eye[r][1]) * y + R(map.eye[r][2]) * z;
+    }
+    store(nearest + i, nearest_t(context.map.orthographic, from_eye, radius));
     const Footprint<R> f = footprint(map.linear, at[0], at[1], at[2], float(size));
-    store(u + i, f.u);
-    store(v + i, f.v);
-    store(du + i, f.du);
-    store(dv + i, f.dv);
+    store(spans[0] + i, first_pixel(f.u, f.du, clip.x_lo, clip.x_hi));
+    store(spans[1] + i, last_pixel(f.u, f.du, clip.x_lo, clip.x_hi));
+    store(spans[2] + i, first_pixel(f.v, f.dv, clip.y_lo, clip.y_hi));
+    store(spans[3] + i, last_pixel(f.v, f.dv, clip.y_lo, clip.y_hi));
     whole |= std::uint64_t(bits_of(f.whole)) << i;
   }
   list.size = 0;
   for (int i = 0; i < count; ++i) {
-    const int number = list.number[i], place[3] = {number & 3, number >> 2 & 3, number >> 4};
+    const int number = list.number[i];
+    PixelBox pixels = {int(spans[0][i]), int(spans[1][i]), int(spans[2][i]), int(spans[3][i])};
     std::int32_t(&at)[3] = list.first[list.size];
-    double center[3];
-    for (int a = 0; a < 3; ++a) {
-      at[a] = first[a] + size * place[a];
-      center[a] = at[a] + 0.5 * size;
+    at[0] = first[0] + size * (number & 3);
+    at[1] = first[1] + size * (number >> 2 & 3);
+    at[2] = first[2] + size * (number >> 4);
+    if (whole >> i & 1) {
+      const double center[3] = {at[0] + 0.5 * size, at[1] + 0.5 * size, at[2] + 0.5 * size};
+      if (!may_meet(map, context.patch, center, size)) continue;
+      pixels = clip;
     }
-    const bool any = whole >> i & 1;
-    if (any && !may_meet(map, context.patch, center, size)) continue;
-    const PixelBox pixels = clip_footprint(u[i], v[i], du[i], dv[i], any, context.clip);
-    if (is_empty(pixels)) continue;
     list.number[list.size] = number;
-    list.pixels[list.size++] = pixels;
+    list.pixels[list.size] = pixels;
+    list.nearest[list.size] = nearest[i];
+    list.size += !is_empty(pixels);
   }
+}
+
+/// Drops those whose rays have all met something nearer.
+inline void drop_covered(const PatchState& patch, BoxList& list) {
+  int kept = 0;
+  for (int i = 0; i < list.size; ++i) {
+    if (covered(patch, list.pixels[i], double(list.nearest[i]))) continue;
+    for (int a = 0; a < 3; ++a) list.first[kept][a] = list.first[i][a];
+    list.pixels[kept++] = list.pixels[i];
+  }
+  list.size = kept;
 }
 
 /// Queues all rays that cross a cell, window by window.
@@ -119,6 +141,7 @@ inline void draw_block(const DrawContext& context, std::uint64_t bits, const std
   BoxList cells;
   list_boxes(context, bits, first, 1, flip, cells);
   context.counts.cells += __builtin_popcountll(bits);
+  drop_covered(context.patch, cells);
   if (cells.size == 0) return;
   T f[kCubeBoxes][8];
   FetchedCell states[kCubeBoxes];
@@ -145,8 +168,8 @@ inline void draw_brick(const DrawContext& context, const std::int32_t (&first)[3
   context.counts.macrocells += __builtin_popcountll(mask.blocks);
   for (int i = 0; i < blocks.size; ++i) {
     const std::int32_t(&at)[3] = blocks.first[i];
-    const double center[3] = {at[0] + 0.5 * kBlock, at[1] + 0.5 * kBlock, at[2] + 0.5 * kBlock};
-    if (!hidden(context.patch, blocks.pixels[i], nearest_t(context.map, center, kBlock)))
+    if (i + 1 < blocks.size) prefetch_block(context.query, blocks.first[i + 1]);
+    if (!hidden(context.patch, blocks.pixels[i], double(blocks.nearest[i])))
       draw_block<T, kOrthographic>(context, mask.cells[blocks.number[i]], at, flip);
   }
 }

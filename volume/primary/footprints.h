@@ -1,18 +1,18 @@
 // Which pixels of a patch a box of cells may meet, and whether what is there already hides it.
 #pragma once
 
-#include <isocast/math/pack.h>
-#include <isocast/volume/primary/kernels.h>
+#include <isocast/volume/primary/windows.h>
 
 namespace isocast::inline ISO_ISA {
 
 /// Pixels that what is said of a footprint may be off by.
 inline constexpr float kMargin = 0x1p-5f;
 
-/// to_pixel seen from a patch: pixel (0, 0) is its first sample.
+/// to_pixel seen from a patch: pixel (0, 0) is its first sample. linear, eye: the linear parts of this and of
+/// to_eye.
 struct PatchMap {
   double h[3][4];
-  float linear[3][3];
+  float linear[3][3], eye[3][3];
 };
 inline PatchMap patch_map(const ScreenMap& map, const PatchState& patch) {
   PatchMap m;
@@ -24,7 +24,10 @@ inline PatchMap patch_map(const ScreenMap& map, const PatchState& patch) {
     m.h[2][c] = w;
   }
   for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) m.linear[r][c] = float(m.h[r][c]);
+    for (int c = 0; c < 3; ++c) {
+      m.linear[r][c] = float(m.h[r][c]);
+      m.eye[r][c] = float(map.to_eye[r][c]);
+    }
   return m;
 }
 inline double apply(const double (&row)[4], const double (&p)[3]) {
@@ -49,28 +52,20 @@ inline bool may_meet(const PatchMap& map, const PatchState& patch, const double 
          !behind(0, -1, patch.rows - 1 + m);
 }
 
-/// Pixels of a span; what is NaN reaches over all.
-struct PixelSpan {
-  int lo, hi;
-};
-inline PixelSpan clip_span(float center, float half, int lo, int hi) {
-  const float from = ceil(center - half - kMargin), to = floor(center + half + kMargin);
-  return {int(min(max(from, float(lo)), float(hi + 1))), int(max(min(to, float(hi)), float(lo - 1)))};
+/// The first and the last pixel of center +- half among lo...hi, as whole numbers; what is NaN reaches over
+/// all.
+template <Real R> inline R first_pixel(R center, R half, int lo, int hi) {
+  return min(max(ceil(center - half - R(kMargin)), R(float(lo))), R(float(hi + 1)));
 }
-/// Those of a footprint in `clip`.
-inline PixelBox clip_footprint(float u, float v, float du, float dv, bool whole, const PixelBox& clip) {
-  if (whole) return clip;
-  const PixelSpan x = clip_span(u, du, clip.x_lo, clip.x_hi), y = clip_span(v, dv, clip.y_lo, clip.y_hi);
-  return {x.lo, x.hi, y.lo, y.hi};
+template <Real R> inline R last_pixel(R center, R half, int lo, int hi) {
+  return max(min(floor(center + half + R(kMargin)), R(float(hi))), R(float(lo - 1)));
 }
 
-/// No ray meets the box before this t.
-inline double nearest_t(const ScreenMap& map, const double (&center)[3], double size) {
-  const double x = apply(map.to_eye[0], center), radius = size * map.cell_radius;
-  if (map.orthographic) return x - radius - 1e-9 * (abs(x) + radius);
-  const double y = apply(map.to_eye[1], center), z = apply(map.to_eye[2], center),
-               far = sqrt(x * x + y * y + z * z);
-  return far - radius - 1e-9 * (far + radius);
+/// No ray meets a box before this t. eye: to_eye of its centre; radius: half its longest diagonal in the
+/// world.
+template <Real R> inline R nearest_t(bool orthographic, const R (&eye)[3], R radius) {
+  const R t = orthographic ? eye[0] : sqrt(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]);
+  return t - radius - R(1e-5f) * (abs(eye[0]) + abs(eye[1]) + abs(eye[2]) + radius);
 }
 
 /// The largest depth of a part of the patch.
@@ -96,6 +91,17 @@ inline bool hidden(PatchState& patch, const PixelBox& pixels, double t) {
   for (int y = pixels.y_lo / kPartSize; y <= pixels.y_hi / kPartSize; ++y)
     for (int x = pixels.x_lo / kPartSize; x <= pixels.x_hi / kPartSize; ++x)
       if (!(farthest(patch, y * kPatchParts + x) < t)) return false;
+  return true;
+}
+
+/// The same, ray by ray: for few pixels.
+inline bool covered(const PatchState& patch, const PixelBox& pixels, double t) {
+  using R = Native<double>;
+  for (int y = pixels.y_lo; y <= pixels.y_hi; y += kRows<R>)
+    for (int x = pixels.x_lo; x <= pixels.x_hi; x += kColumns<R>) {
+      const unsigned lanes = window_lanes<R>(pixels, x, y);
+      if (bits_of(load_window<R>(patch.depth, y * kPatchPitch + x) >= R(t)) & lanes) return false;
+    }
   return true;
 }
 

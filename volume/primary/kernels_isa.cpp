@@ -26,11 +26,13 @@ template <Real R> PrimaryRay<R> to_grid(const VolumeQuery& query, const PrimaryR
 bool is_parallel(double inverse) { return !(abs(inverse) < __builtin_inf()); }
 
 // The number of the cells that a ray keeps to along an axis that it is parallel to, as find_block
-// (traverse.h) has it; -1 outside the active blocks.
+// (traverse.h) has it; a number that no cell has outside the active blocks.
 double parallel_cell(const VolumeQuery& query, int a, double o, double d) {
-  const double first = double(query.active.lo[a] << kBrickShift),
-               end = min(double((query.active.hi[a] + 1) << kBrickShift), double(query.samples.last[a]));
-  if (!(o >= first && o <= end)) return -1;
+  const int shift = query.sparse ? kTreeShifts[0] : query.grid.levels[0].shift;
+  const double size = double(1 << shift),
+               first = max(double(query.active.lo[a]) * size, double(query.samples.first[a])),
+               end = min((double(query.active.hi[a]) + 1) * size, double(query.samples.last[a]));
+  if (!(o >= first && o <= end)) return __builtin_inf();
   const double cell = min(floor(o), end - 1);
   return d < 0 && cell > first && cell >= o ? cell - 1 : cell;
 }
@@ -68,6 +70,7 @@ void fill_tile(const VolumeQuery& query, int x0, int y0, PatchState& patch) {
   constexpr double kLanes[8] = {0, 1, 2, 3, 4, 5, 6, 7};
   PatchRays& rays = patch.rays;
   for (int y = y0; y < y0 + kTile; ++y) {
+    Mask<R> moves = Mask<R>(true);
     for (int x = x0; x < x0 + kTile; x += kWidth<R>) {
       const R u = (R(patch.x + x) + load<R>(kLanes)) + R(patch.offset_u), v = R(patch.y + y + patch.offset_v);
       const PrimaryRay<R> ray = to_grid(query, primary_ray(frame, u, v));
@@ -75,18 +78,24 @@ void fill_tile(const VolumeQuery& query, int x0, int y0, PatchState& patch) {
       const R numbers[3] = {own.x, own.y, own.z};
       const int at = y * kPatchPitch + x;
       for (int a = 0; a < 3; ++a) {
+        const R inverse = R(1) / numbers[a];
         store(rays.own[a] + at, numbers[a]);
-        store(rays.inverse[a] + at, R(1) / numbers[a]);
+        store(rays.inverse[a] + at, inverse);
+        moves = moves & (abs(inverse) < R(__builtin_inf()));
       }
-      store(patch.depth + at, R(__builtin_inf()));
+      // what lies outside the picture hides nothing
+      const R inside = select(R(x) + load<R>(kLanes) < R(patch.columns), R(__builtin_inf()), R(-1));
+      store(patch.depth + at, y < patch.rows ? inside : R(-1));
     }
-    for (int x = x0; x < x0 + kTile; ++x) {
-      const int at = y * kPatchPitch + x;
-      patch.axis[at] = 255;
-      patch.walk[at] = 0;
-      if (x < patch.columns && y < patch.rows) settle_parallel(query, frame.orthographic, at, patch);
-      else patch.depth[at] = -1;
+    const int row = y * kPatchPitch + x0;
+    for (int x = 0; x < kTile; ++x) {
+      patch.axis[row + x] = 255;
+      patch.walk[row + x] = 0;
     }
+    const bool settled = !any(!moves) && !frame.orthographic;
+    for (int x = 0; x < kTile && !settled; ++x)
+      if (x0 + x < patch.columns && y < patch.rows)
+        settle_parallel(query, frame.orthographic, row + x, patch);
   }
   for (int y = y0 / kPartSize; y < (y0 + kTile) / kPartSize; ++y)
     for (int x = x0 / kPartSize; x < (x0 + kTile) / kPartSize; ++x)

@@ -1,4 +1,4 @@
-// Primary rays of a dense volume in object order: its active cells are drawn into the picture.
+// Primary rays of a volume in object order: its active cells are drawn into the picture.
 #pragma once
 
 #include <isocast/ray/primary_pass.h>

@@ -9,6 +9,13 @@ namespace isocast::inline ISO_ISA {
 template <Real R> inline constexpr int kColumns = kWidth<R> < 4 ? kWidth<R> : 4;
 template <Real R> inline constexpr int kRows = kWidth<R> / kColumns<R>;
 
+/// The lanes of the window at (x, y) that lie in a box of pixels.
+template <Real R> inline unsigned window_lanes(const PixelBox& pixels, int x, int y) {
+  const int columns = pixels.x_hi - x + 1;
+  const unsigned row = columns < kColumns<R> ? (1u << columns) - 1 : (1u << kColumns<R>)-1;
+  return kRows<R> > 1 && y < pixels.y_hi ? row | row << kColumns<R> : row;
+}
+
 /// Values of the rays of the window whose first ray is number `at`.
 template <Real R> inline R load_window(const double* rays, int at) {
 #ifdef __AVX512DQ__
