@@ -83,6 +83,22 @@ constexpr MethodOption kInterval[] = {kEps,        kEpsRel,      kDelta, kBisect
 constexpr MethodOption kAffine[] = {kEps,        kEpsRel,      kDelta, kBisection, kTrim,    kShadow,
                                     kNormalStep, kNormalGrows, kBeams, kPrune,     kRounding};
 constexpr MethodOption kCertified[] = {kEps, kEpsRel, kShadow, kNormalStep, kNormalGrows, kPrune};
+constexpr MethodOption kBeamCast[] = {
+    {"eps", 0x1p-10, 0x1p-30, 1, false, "depth from -1 to 1", "parts of a pixel's beam below it are painted"},
+    {"depth", 0, 0, 2, true, "levels", "how far below pixels the quadtree goes"},
+    {"form",
+     0,
+     0,
+     1,
+     true,
+     "",
+     "interval: over the box around a part of a beam; affine: forms that follow the beam's slant",
+     "interval affine"},
+    kEpsRel,
+    kShadow,
+    kNormalStep,
+    kNormalGrows,
+    kPrune};
 constexpr MethodOption kDerivative[] = {kEps,         kEpsRel, kDelta, kShadow,  kNormalStep,
                                         kNormalGrows, kBeams,  kPrune, kRounding};
 constexpr MethodOption kMarching[] = {
@@ -116,6 +132,8 @@ constexpr Method kMethods[] = {
     {"amp-sign", "formula", "nothing", "library", "float double", kMarching, kSingh},
     {"amp-taylor", "formula", "nothing", "library", "float double", kMarching, kSingh},
     {"certified", "formula", "both", "library", "float double", kCertified, kGanacim},
+    {"beam-uniform", "formula", "misses", "library", "float double", kBeamCast, kGanacim},
+    {"beam-adaptive", "formula", "misses", "library", "float double", kBeamCast, kGanacim},
 };
 
 // What each row runs: on rays of the camera, and on others.
@@ -128,6 +146,8 @@ constexpr Run kRuns[std::size(kMethods)] = {
     {FormulaPass::none, FormulaMethod::mitchell},    {FormulaPass::none, FormulaMethod::interval_newton},
     {FormulaPass::none, FormulaMethod::amp_sign},    {FormulaPass::none, FormulaMethod::amp_taylor},
     {FormulaPass::certified, FormulaMethod::affine},
+    {FormulaPass::beam_uniform, FormulaMethod::interval},
+    {FormulaPass::beam_adaptive, FormulaMethod::interval},
 };
 
 }  // namespace
@@ -145,7 +165,11 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
     const auto found = values.find(option);
     return found == values.end() ? otherwise : found->second;
   };
-  choice.eps = value("eps", choice.eps);
+  const bool casts = run.pass == FormulaPass::beam_uniform || run.pass == FormulaPass::beam_adaptive;
+  if (casts) choice.depth_eps = value("eps", 0);
+  else choice.eps = value("eps", choice.eps);
+  choice.finer = static_cast<int>(value("depth", 0));
+  choice.affine_beams = value("form", 0) == 1;
   choice.eps_rel = value("eps-rel", choice.eps_rel);
   choice.offset = value("offset", 0);
   choice.shadow_eps_rel = value("shadow-eps-rel", 0);

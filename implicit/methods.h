@@ -11,7 +11,7 @@
 namespace isocast {
 
 /// What finds the primary rays of a picture together, if anything does.
-enum class FormulaPass : std::uint8_t { none, certified };
+enum class FormulaPass : std::uint8_t { none, certified, beam_uniform, beam_adaptive };
 
 /// Those of FormulaMethod first, in its order; then those with a pass.
 [[nodiscard]] std::span<const Method> formula_methods();
@@ -24,6 +24,8 @@ enum class FormulaPass : std::uint8_t { none, certified };
 /// offset    added to every iso-value
 /// nearest   inclusions whose bounds are the nearest numbers
 /// beams     rays of a tile are first cut together to where f may be an iso-value
+/// depth_eps       beam-uniform, beam-adaptive: of a pixel, in depth from -1 to 1
+/// finer           levels below pixels; affine_beams: by affine forms, else by intervals
 /// prune     where min, max or a choice is decided the tape is run without what it does not need
 /// shadow_eps_rel  eps_rel of shadow rays, if larger
 /// normal_step     stencil of difference normals in eps; `normal_grows`: in proportion to the distance along
@@ -34,6 +36,9 @@ struct FormulaMethodChoice {
   FormulaPass pass = FormulaPass::none;
   FormulaOptions options;
   double eps = 0, eps_rel = 0x1p-11, offset = 0, shadow_eps_rel = 0, normal_step = 1;
+  double depth_eps = 0;
+  int finer = 0;
+  bool affine_beams = false;
   bool normal_grows = false, prune = true, nearest = false, beams = true;
   /// Samples f along the rays instead of including it.
   [[nodiscard]] bool marches() const { return method >= FormulaMethod::amp_sign; }
