@@ -19,8 +19,10 @@ std::unique_ptr<PrimaryPass> make_pass(const View& view, const FormulaQuery<T>& 
 std::unique_ptr<PrimaryPass> ImplicitSurface::primary(const View& view) const {
   const FormulaMethodChoice& method = options_.method;
   if (method.pass == FormulaPass::none) return nullptr;
-  const FormulaPassInputs inputs = {*this,        tape_.registers, eps_,
-                                    options_.isa, options_.object, components_ ? &*components_ : nullptr};
+  FormulaPassInputs inputs = {*this, tape_,        pruning_.prunes, {},
+                              eps_,  options_.isa, options_.object, nullptr};
+  if (method.options.delta == 0) inputs.levels = options_.iso;
+  if (components_) inputs.components = &*components_;
   if (options_.double_precision) return make_pass(view, double_query_, inputs, method);
   return make_pass(view, float_query_, inputs, method);
 }

@@ -1,4 +1,5 @@
-// Beams of whole pixels and of squares of them, thrown away as long as f can be proved not to be zero in them.
+// Beams of whole pixels and of squares of them, thrown away as long as f can be proved not to be zero in
+// them.
 #pragma once
 
 #include <isocast/implicit/beams/beam_lanes.h>
@@ -9,14 +10,16 @@ namespace isocast::inline ISO_ISA {
 /// The nearest depths of pixels and of squares of them that cannot be proved empty.
 ///
 /// F         Interval<R>, over the box around a part of a beam, or AffineForm<R, 3>, which follows its slant
-/// cast      the depths of a beam are halved, nearest half first, until a part of at most eps is not rejected;
+/// cast      the depths of a beam are halved, nearest half first, until a part of at most eps is not
+/// rejected;
 ///           where that is in the halving is one number, the path, in place of a stack
 /// adaptive  a quadtree, breadth first: a square that is not empty is quartered, each quarter begins at the
 ///           depth that the square has reached, and eps, which is that of a pixel times the square's side,
 ///           halves; else every pixel is cast from where the domain begins
 /// finer     so many levels more, below pixels
 /// proves    misses
-/// source    Ganacim, de Figueiredo, Nehab: Beam casting implicit surfaces on the GPU with interval arithmetic,
+/// source    Ganacim, de Figueiredo, Nehab: Beam casting implicit surfaces on the GPU with interval
+/// arithmetic,
 ///           SIBGRAPI 2011; affine forms are named there as future work
 template <class F, Real R> class BeamCast {
   using T = Scalar<R>;
@@ -97,8 +100,8 @@ template <class F, Real R> class BeamCast {
   // A cell becomes a beam; false where it misses the domain.
   ISO_HD bool start(const BeamCells<T>& cells, int cell, Beam& beam) {
     const T half = T(0.5) * T(size_) * scale(), side = T(kBlockSide / 2);
-    const BoxRange<T> box =
-        box_range(rays_, T(cells.x[cell]) * scale() + half - side, T(cells.y[cell]) * scale() + half - side, half);
+    const BoxRange<T> box = box_range(rays_, T(cells.x[cell]) * scale() + half - side,
+                                      T(cells.y[cell]) * scale() + half - side, half);
     beam = {cell, 0, 0, 1, {max(cells.from[cell], box.enters_from), min(rays_.most_depth, box.leaves_to)}};
     if (!(beam.all.from <= beam.all.to)) {
       note_level(cells, cell);

@@ -95,8 +95,8 @@ template <class T> struct alignas(64) BlockRoots {
   RayPiece<T> pieces[kMostPieces];
 };
 
-/// Cells of one level of a quadtree: their upper left corners in cells of the finest level, and the depths that
-/// they begin at.
+/// Cells of one level of a quadtree: their upper left corners in cells of the finest level, and the depths
+/// that they begin at.
 template <class T> struct BeamCells {
   static constexpr int kMostFiner = 2, kMost = kBlockPixels << 2 * kMostFiner;
   int count = 0;

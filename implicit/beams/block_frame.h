@@ -27,6 +27,10 @@ class BlockFrame {
   template <class T>
   [[nodiscard]] static double distance(const BlockRays<T>& rays, int x, int y, double depth);
 
+  /// A box around the rays of a square of pixels between two depths.
+  template <class T>
+  [[nodiscard]] static Box box_around(const BlockRays<T>& rays, int x, int y, int size, DepthRange<T> part);
+
  private:
   Double3 start_, start_u_, start_v_, span_, span_u_, span_v_;
   Box box_;

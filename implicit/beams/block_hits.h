@@ -51,16 +51,17 @@ template <Real R> struct TileLanes {
             t[p] * (R(rays.span[a]) + u[p] * R(rays.span_u[a]) + v[p] * R(rays.span_v[a]));
       inputs[3 * kPacks + p] = R(static_cast<T>(query.time));
     }
-    return evaluate_some<kPacks>(query.tape, static_cast<const R*>(inputs), static_cast<R*>(registers), packs);
+    return evaluate_some<kPacks>(query.tape, static_cast<const R*>(inputs), static_cast<R*>(registers),
+                                 packs);
   }
 };
 
-/// The best guesses at the roots of a tile: steps of the secant method in plain arithmetic, from the middle of
-/// the bracket and the slope that the form had, kept in the bracket. Proves nothing and changes no proof.
+/// The best guesses at the roots of a tile: steps of the secant method in plain arithmetic, from the middle
+/// of the bracket and the slope that the form had, kept in the bracket. Proves nothing and changes no proof.
 /// `registers` has room for kSlots / kWidth<R> of R a register.
 template <Real R>
-ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays, int tile,
-                               BlockRoots<Scalar<R>>& roots, void* registers) {
+ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays,
+                               int tile, BlockRoots<Scalar<R>>& roots, void* registers) {
   using T = Scalar<R>;
   constexpr int kPacks = TileLanes<R>::kPacks, kSteps = sizeof(T) == 4 ? 2 : 4;
   const R zero = R(T(0));
@@ -72,8 +73,7 @@ ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const Block
       t[p] = lanes.get(roots.t, p, zero), slope[p] = lanes.get(roots.slope, p, R(T(1)));
       const R level = abs(lanes.get(roots.side, p, R(T(1)))) - R(T(1));
       iso[p] = R(query.iso_lo[0]);
-      for (int i = 1; i < query.iso_count; ++i)
-        iso[p] = select(level == R(T(i)), R(query.iso_lo[i]), iso[p]);
+      for (int i = 1; i < query.iso_count; ++i) iso[p] = select(level == R(T(i)), R(query.iso_lo[i]), iso[p]);
       before[p] = zero;
     }
     for (int step = 0; step < kSteps && lanes.packs > 0; ++step) {
@@ -92,11 +92,11 @@ ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const Block
   }
 }
 
-/// Of a tile's roots that are not proved: the iso-value nearest to f at the guess, and f's side of it at lo, in
-/// plain arithmetic.
+/// Of a tile's roots that are not proved: the iso-value nearest to f at the guess, and f's side of it at lo,
+/// in plain arithmetic.
 template <Real R>
-ISO_HD inline void guess_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays, int tile,
-                              BlockRoots<Scalar<R>>& roots, void* registers) {
+ISO_HD inline void guess_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays,
+                              int tile, BlockRoots<Scalar<R>>& roots, void* registers) {
   using T = Scalar<R>;
   constexpr int kPacks = TileLanes<R>::kPacks;
   for (int first = 0; first < kStreamSize; first += kSlots) {

@@ -15,7 +15,7 @@ template <class T> BlockRoots<T>& BlockPass<T>::roots() {
   return *memory;
 }
 template <class T> void* BlockPass<T>::registers() const {
-  return registers_of(inputs_.registers * kernels().register_bytes);
+  return registers_of(inputs_.tape.registers * kernels().register_bytes);
 }
 
 template <class T>

@@ -4,18 +4,24 @@
 #include <isocast/implicit/beams/block_frame.h>
 #include <isocast/implicit/beams/kernels.h>
 #include <isocast/implicit/components.h>
+#include <isocast/implicit/expression/tape.h>
 #include <isocast/ray/surface.h>
+
+#include <span>
 
 namespace isocast {
 
 /// What a pass needs of a surface.
 ///
-/// registers   of the query's tape
+/// tape        the query's
+/// prunes      whether runs of it without what is not needed pay; levels: of which only f's sides matter
 /// eps         brackets of hits, a world length
 /// components  of hits, or null
 struct FormulaPassInputs {
   const Surface& surface;
-  std::uint32_t registers;
+  const Tape& tape;
+  bool prunes;
+  std::span<const double> levels;
   double eps;
   Isa isa;
   std::uint16_t object;
