@@ -18,6 +18,8 @@ class BlockFrame {
   /// False where no ray of the picture meets the box.
   [[nodiscard]] bool meets() const { return nearest_ < farthest_; }
 
+  [[nodiscard]] const Box& box() const { return box_; }
+
   /// Block (bx, by), its rays through (x + offset_u, y + offset_v) of their pixels, with brackets of `eps`, a
   /// world length.
   template <class T>

@@ -21,11 +21,12 @@ template <Real R> struct TileLanes {
   R u[kPacks], v[kPacks];
   Mask<R> found[kPacks];
 
-  /// The packs with roots among the kSlots slots of a tile from `first` on.
-  ISO_HD TileLanes(const BlockRoots<T>& roots, int tile, int first) {
+  /// The packs with roots from `range` among the kSlots slots of a tile from `first` on.
+  ISO_HD TileLanes(const BlockRoots<T>& roots, int tile, int first, DepthRange<T> range) {
     for (int i = first; i < first + kSlots; i += kWidth<R>) {
       const int slot = tile * kStreamSize + i;
-      const Mask<R> some = abs(load<R>(roots.lo + slot)) < R(kInfinity<T>);
+      const R lo = load<R>(roots.lo + slot);
+      const Mask<R> some = (abs(lo) < R(kInfinity<T>)) & (lo >= R(range.from)) & (lo <= R(range.to));
       if (!any(some)) continue;
       T at_u[kWidth<R>], at_v[kWidth<R>];
       for (int l = 0; l < kWidth<R>; ++l) {
@@ -56,17 +57,18 @@ template <Real R> struct TileLanes {
   }
 };
 
-/// The best guesses at the roots of a tile: steps of the secant method in plain arithmetic, from the middle
-/// of the bracket and the slope that the form had, kept in the bracket. Proves nothing and changes no proof.
-/// `registers` has room for kSlots / kWidth<R> of R a register.
+/// The best guesses at the roots of a tile whose brackets begin in `range`: steps of the secant method in
+/// plain arithmetic, from the middle of the bracket and the slope that the form had, kept in the bracket.
+/// Proves nothing and changes no proof. `registers` has room for kSlots / kWidth<R> of R a register.
 template <Real R>
 ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays,
-                               int tile, BlockRoots<Scalar<R>>& roots, void* registers) {
+                               int tile, DepthRange<Scalar<R>> range, BlockRoots<Scalar<R>>& roots,
+                               void* registers) {
   using T = Scalar<R>;
   constexpr int kPacks = TileLanes<R>::kPacks, kSteps = sizeof(T) == 4 ? 2 : 4;
   const R zero = R(T(0));
   for (int first = 0; first < kStreamSize; first += kSlots) {
-    const TileLanes<R> lanes(roots, tile, first);
+    const TileLanes<R> lanes(roots, tile, first, range);
     R t[kPacks], lo[kPacks], hi[kPacks], slope[kPacks], iso[kPacks], before[kPacks];
     for (int p = 0; p < lanes.packs; ++p) {
       lo[p] = lanes.get(roots.lo, p, zero), hi[p] = lanes.get(roots.hi, p, zero);
@@ -88,7 +90,8 @@ ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const Block
         t[p] = select(next == next, min(max(next, lo[p]), hi[p]), t[p]);
       }
     }
-    for (int p = 0; p < lanes.packs; ++p) store(roots.t + lanes.slots[p], t[p]);
+    for (int p = 0; p < lanes.packs; ++p)
+      store(roots.t + lanes.slots[p], select(lanes.found[p], t[p], load<R>(roots.t + lanes.slots[p])));
   }
 }
 
@@ -100,7 +103,7 @@ ISO_HD inline void guess_tile(const FormulaQuery<Scalar<R>>& query, const BlockR
   using T = Scalar<R>;
   constexpr int kPacks = TileLanes<R>::kPacks;
   for (int first = 0; first < kStreamSize; first += kSlots) {
-    const TileLanes<R> lanes(roots, tile, first);
+    const TileLanes<R> lanes(roots, tile, first, {-kInfinity<T>, kInfinity<T>});
     R t[kPacks], lo[kPacks], nearest[kPacks], level[kPacks];
     for (int p = 0; p < lanes.packs; ++p)
       t[p] = lanes.get(roots.t, p, R(T(0))), lo[p] = lanes.get(roots.lo, p, R(T(0)));

@@ -1,4 +1,5 @@
 #include <isocast/implicit/beams/certified_pass.h>
+#include <isocast/implicit/beams/pruned_block.h>
 #include <isocast/isa/cpu.h>
 #include <isocast/math/rounding.h>
 #include <isocast/render/camera.h>
@@ -53,19 +54,6 @@ struct OpenRays {
   }
 };
 
-template <class T> BeamNode<T> node_of(int x, int y, int size, DepthRange<T> all) {
-  return {x, y, size, false, false, false, T(0), T(0), T(0), all, all};
-}
-
-// From the first to the last of a tile's brackets; from > to: there are none.
-template <class T> DepthRange<T> depths_of(const BlockRoots<T>& roots, int tile) {
-  DepthRange<T> depths = {kInfinity<T>, -kInfinity<T>};
-  for (int i = tile * kStreamSize; i < (tile + 1) * kStreamSize; ++i)
-    if (std::abs(roots.lo[i]) < kInfinity<T>)
-      depths = {std::min(depths.from, roots.lo[i]), std::max(depths.to, roots.hi[i])};
-  return depths;
-}
-
 }  // namespace
 
 template <class T>
@@ -78,60 +66,25 @@ void CertifiedPass<T>::first_hits(int bx, int by, double offset_u, double offset
   const BlockKernels<T>& kernels = this->kernels();
   void* const registers = this->registers();
   kernels.clear(rays, roots);
-  if (this->inputs_.prunes) trace_pruned(rays, roots);
-  else trace(rays, roots);
+  const DepthRange<T> all = {-rays.before, rays.most_depth};
+  if (this->inputs_.prunes)
+    PrunedBlock<T>(this->query_, this->inputs_, kernels, this->frame_.box(), rays, roots).trace(all);
+  else {
+    constexpr DepthRange<T> everywhere = {-kInfinity<T>, kInfinity<T>};
+    kernels.trace(this->query_, rays, node_of(0, 0, kBlockSide, all), everywhere, roots, registers);
+    for (int tile = 0; tile < kBlockStreams; ++tile)
+      kernels.polish(this->query_, rays, tile, everywhere, roots, registers);
+  }
   counts.evaluations += roots.evaluations;
-  thread_local Pruner<T> pruner;
   for (int tile = 0; tile < kBlockStreams; ++tile) {
-    const DepthRange<T> depths = depths_of(roots, tile);
-    if (!(depths.from <= depths.to)) continue;
-    FormulaQuery<T> query = this->query_;
+    const T* const lo = roots.lo + tile * kStreamSize;
+    if (std::none_of(lo, lo + kStreamSize, [](T depth) { return std::abs(depth) < kInfinity<T>; })) continue;
     const int x = tile % kBlockTiles, y = tile / kBlockTiles;
-    if (this->inputs_.prunes)
-      query.tape =
-          pruned(this->inputs_.tape, rays, x * kTileSize, y * kTileSize, kTileSize, depths, pruner).view();
-    kernels.polish(query, rays, tile, roots, registers);
     HitStream& found = hits.tile(x, y);
-    kernels.write(query, rays, roots, tile, this->inputs_.object, Certificate::proved_hit, found);
+    kernels.write(this->query_, rays, roots, tile, this->inputs_.object, Certificate::proved_hit, found);
     this->note_components(bx * kBlockTiles + x, by * kBlockTiles + y, offset_u, offset_v, found);
   }
   solve_open_rays(bx, by, offset_u, offset_v, rays, roots, hits, counts);
-}
-
-template <class T> void CertifiedPass<T>::trace(const BlockRays<T>& rays, BlockRoots<T>& roots) const {
-  constexpr DepthRange<T> everywhere = {-kInfinity<T>, kInfinity<T>};
-  this->kernels().trace(this->query_, rays, node_of<T>(0, 0, kBlockSide, {-rays.before, rays.most_depth}),
-                        everywhere, roots, this->registers());
-}
-
-// In squares and slices of depth, each with what it needs of the tape.
-template <class T> void CertifiedPass<T>::trace_pruned(const BlockRays<T>& rays, BlockRoots<T>& roots) const {
-  constexpr int kSquare = 32, kSlices = 8;
-  thread_local Pruner<T> of_square, of_slice;
-  FormulaQuery<T> query = this->query_;
-  const DepthRange<T> all = {-rays.before, rays.most_depth};
-  const T slice = all.length() / kSlices, over = slice / 8 + rays.eps;
-  for (int y = 0; y < rays.rows; y += kSquare)
-    for (int x = 0; x < rays.columns; x += kSquare) {
-      const Tape& square =
-          pruned(this->inputs_.tape, rays, x, y, kSquare, {all.from - over, all.to + over}, of_square);
-      for (int n = 0; n < kSlices; ++n) {
-        const DepthRange<T> part = {n == 0 ? all.from : all.from + T(n) * slice,
-                                    n == kSlices - 1 ? all.to : all.from + T(n + 1) * slice},
-                            limit = {part.from - over, part.to + over};
-        query.tape = pruned(square, rays, x, y, kSquare, limit, of_slice).view();
-        this->kernels().trace(query, rays, node_of(x, y, kSquare, part), limit, roots, this->registers());
-      }
-    }
-}
-
-template <class T>
-const Tape& CertifiedPass<T>::pruned(const Tape& tape, const BlockRays<T>& rays, int x, int y, int size,
-                                     DepthRange<T> part, Pruner<T>& pruner) const {
-  const Box around = BlockFrame::box_around(rays, x, y, size, part);
-  Interval<double> box[3];
-  for (int a = 0; a < 3; ++a) box[a] = Interval<double>(around.lo[a], around.hi[a]);
-  return pruner.prune(tape, box, this->query_.time, this->inputs_.levels);
 }
 
 template <class T>

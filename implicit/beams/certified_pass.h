@@ -2,7 +2,6 @@
 #pragma once
 
 #include <isocast/implicit/beams/block_pass.h>
-#include <isocast/implicit/expression/prune.h>
 
 namespace isocast {
 
@@ -17,10 +16,6 @@ template <class T> class CertifiedPass final : public BlockPass<T> {
                   TraceCounts& counts) const override;
 
  private:
-  void trace(const BlockRays<T>& rays, BlockRoots<T>& roots) const;
-  void trace_pruned(const BlockRays<T>& rays, BlockRoots<T>& roots) const;
-  const Tape& pruned(const Tape& tape, const BlockRays<T>& rays, int x, int y, int size, DepthRange<T> part,
-                     Pruner<T>& pruner) const;
   void solve_open_rays(int bx, int by, double offset_u, double offset_v, const BlockRays<T>& rays,
                        const BlockRoots<T>& roots, BlockHits& hits, TraceCounts& counts) const;
 };

@@ -16,7 +16,7 @@ enum class Isa : std::uint8_t;  // isa/cpu.h
 /// cast    fills them by casting beams: with intervals or affine forms, `finer` levels below pixels, adaptive
 /// or
 ///         for every pixel; lo and hi bound what is not empty, and nothing is said of what lies before `t`
-/// polish  improves the guesses at the roots of a tile
+/// polish  improves the guesses at those roots of a tile whose brackets begin in a range
 /// guess   gives the iso-value that f is nearest to at the guesses of a tile, and sides of it in front of
 /// them write   makes hits of the roots of a tile, each with this certificate `registers` has room for
 /// Tape::registers times `register_bytes`, aligned to 64.
@@ -27,7 +27,8 @@ template <class T> struct BlockKernels {
   using Cast = void(const FormulaQuery<T>&, const BlockRays<T>&, BlockRoots<T>&, BlockCells<T>&, int finer,
                     bool adaptive, void* registers);
   Cast *cast_interval, *cast_affine;
-  void (*polish)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, BlockRoots<T>&, void* registers);
+  void (*polish)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, DepthRange<T>, BlockRoots<T>&,
+                 void* registers);
   void (*guess)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, BlockRoots<T>&, void* registers);
   void (*write)(const FormulaQuery<T>&, const BlockRays<T>&, const BlockRoots<T>&, int tile,
                 std::uint16_t object, Certificate, HitStream&);
