@@ -1,5 +1,7 @@
 #include <isocast/implicit/methods.h>
 
+#include <algorithm>
+
 namespace isocast {
 namespace {
 
@@ -86,12 +88,7 @@ constexpr MethodOption kCertified[] = {kEps, kEpsRel, kShadow, kNormalStep, kNor
 constexpr MethodOption kBeamCast[] = {
     {"eps", 0x1p-10, 0x1p-30, 1, false, "depth from -1 to 1", "parts of a pixel's beam below it are painted"},
     {"depth", 0, 0, 2, true, "levels", "how far below pixels the quadtree goes"},
-    {"form",
-     0,
-     0,
-     1,
-     true,
-     "",
+    {"form", 0, 0, 1, true, "",
      "interval: over the box around a part of a beam; affine: forms that follow the beam's slant",
      "interval affine"},
     kEpsRel,
@@ -140,11 +137,15 @@ constexpr Method kMethods[] = {
 struct Run {
   FormulaPass pass;
   FormulaMethod method;
+  bool operator==(const Run&) const = default;
 };
 constexpr Run kRuns[std::size(kMethods)] = {
-    {FormulaPass::none, FormulaMethod::interval},    {FormulaPass::none, FormulaMethod::affine},
-    {FormulaPass::none, FormulaMethod::mitchell},    {FormulaPass::none, FormulaMethod::interval_newton},
-    {FormulaPass::none, FormulaMethod::amp_sign},    {FormulaPass::none, FormulaMethod::amp_taylor},
+    {FormulaPass::none, FormulaMethod::interval},
+    {FormulaPass::none, FormulaMethod::affine},
+    {FormulaPass::none, FormulaMethod::mitchell},
+    {FormulaPass::none, FormulaMethod::interval_newton},
+    {FormulaPass::none, FormulaMethod::amp_sign},
+    {FormulaPass::none, FormulaMethod::amp_taylor},
     {FormulaPass::certified, FormulaMethod::affine},
     {FormulaPass::beam_uniform, FormulaMethod::interval},
     {FormulaPass::beam_adaptive, FormulaMethod::interval},
@@ -188,6 +189,10 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   if (choice.method == FormulaMethod::mitchell) options.derivative = Derivative::of_all;
   if (choice.method == FormulaMethod::interval_newton) options.derivative = Derivative::newton;
   return choice;
+}
+
+std::string_view name_of(const FormulaMethodChoice& choice) {
+  return kMethods[std::ranges::find(kRuns, Run{choice.pass, choice.method}) - kRuns].name;
 }
 
 }  // namespace isocast

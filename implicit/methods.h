@@ -48,4 +48,7 @@ struct FormulaMethodChoice {
 [[nodiscard]] FormulaMethodChoice choose_formula_method(std::string_view name,
                                                         const std::map<std::string, std::string>& settings);
 
+/// The row that a choice comes from.
+[[nodiscard]] std::string_view name_of(const FormulaMethodChoice& choice);
+
 }  // namespace isocast

@@ -104,10 +104,10 @@ void build(BuiltScene& built, const FormulaSource& source, const ObjectDescripti
   if (!wanted.iso.empty()) options.iso = wanted.iso;
   if (automatic) {
     const AutomaticMethod choice = choose_automatically(source.expression, source.domain, options);
-    options.method.method = choice.method;
+    options.method.method = choice.method, options.method.pass = choice.pass;
     built.method_reason = choice.reason;
   }
-  built.method = std::string(formula_methods()[static_cast<std::size_t>(options.method.method)].name);
+  built.method = std::string(name_of(options.method));
 
   const auto start = Clock::now();
   const auto surface = std::make_shared<ImplicitSurface>(source.expression, source.domain, options);
