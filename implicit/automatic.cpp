@@ -2,6 +2,8 @@
 #include <isocast/implicit/automatic.h>
 #include <isocast/implicit/expression/simplify.h>
 #include <isocast/implicit/tape_cost.h>
+#include <isocast/ray/primary_pass.h>
+#include <isocast/render/camera.h>
 
 #include <memory>
 
@@ -29,6 +31,32 @@ void fill_probe(const Domain& domain, RayStream& rays) {
   }
 }
 
+// Operations a ray in the middle block of a picture of the domain.
+double picture_work(const Surface& surface, double tape_cost) {
+  constexpr int kSide = kBlockTiles * kTileSize, kMiddle = 3;
+  const View view(frame(surface.bounds(), {}, 1), 8 * kSide, 8 * kSide);
+  TraceCounts counts;
+  if (const auto pass = surface.primary(view)) {
+    // three symbols take so much more than one
+    constexpr double kWider = 1.5;
+    const auto hits = std::make_unique_for_overwrite<BlockHits>();
+    hits->reset(surface.proves());
+    pass->first_hits(kMiddle, kMiddle, 0.5, 0.5, *hits, counts);
+    return kWider * tape_cost * static_cast<double>(counts.evaluations) / (kSide * kSide);
+  }
+  const auto rays = std::make_unique<RayStream>();
+  const auto hits = std::make_unique<HitStream>();
+  constexpr int kStep = 3;
+  int tiles = 0;
+  for (int y = 0; y < kBlockTiles; y += kStep)
+    for (int x = 0; x < kBlockTiles; x += kStep, ++tiles) {
+      view.fill(kMiddle * kBlockTiles + x, kMiddle * kBlockTiles + y, 0.5, 0.5, *rays);
+      clear(*hits);
+      surface.first_hit(*rays, *hits, counts);
+    }
+  return tape_cost * static_cast<double>(counts.evaluations) / (tiles * kStreamSize);
+}
+
 }  // namespace
 
 AutomaticMethod choose_automatically(const Expression& expression, const Domain& domain,
@@ -48,11 +76,25 @@ AutomaticMethod choose_automatically(const Expression& expression, const Domain&
     evaluations[i] = static_cast<double>(counts.evaluations) / kStreamSize;
     work[i] = evaluations[i] * tape_cost(tape, method == FormulaMethod::affine);
   }
-  const auto chosen = work[0] < work[1] ? FormulaMethod::interval : FormulaMethod::affine;
-  return {chosen,
-          fmt::format("on {} rays through the domain interval takes {:.1f} evaluations a ray and affine "
-                      "{:.1f}, with the cost of their operations {:.0f} against {:.0f}",
-                      kStreamSize, evaluations[0], evaluations[1], work[0], work[1])};
+  const FormulaMethod chosen = work[0] < work[1] ? FormulaMethod::interval : FormulaMethod::affine;
+  std::string reason = fmt::format(
+      "on {} rays through the domain interval takes {:.1f} evaluations a ray and affine {:.1f}, with "
+      "the cost of their operations {:.0f} against {:.0f}",
+      kStreamSize, evaluations[0], evaluations[1], work[0], work[1]);
+  const FormulaMethodChoice& wishes = options.method;
+  if (wishes.nearest || wishes.options.delta > 0 || wishes.options.packets || !wishes.beams)
+    return {chosen, FormulaPass::none, reason};
+  options.method.method = chosen;
+  const double alone = picture_work(ImplicitSurface(expression, domain, options),
+                                    tape_cost(tape, chosen == FormulaMethod::affine));
+  options.method.method = FormulaMethod::affine;
+  options.method.pass = FormulaPass::certified;
+  const double together = picture_work(ImplicitSurface(expression, domain, options), tape_cost(tape, true));
+  reason +=
+      fmt::format("; in the middle of a picture certified takes {:.0f} operations a ray, rays alone {:.0f}",
+                  together, alone);
+  if (together < alone) return {FormulaMethod::affine, FormulaPass::certified, reason};
+  return {chosen, FormulaPass::none, reason};
 }
 
 }  // namespace isocast

@@ -7,11 +7,14 @@ namespace isocast {
 
 struct AutomaticMethod {
   FormulaMethod method;
+  FormulaPass pass;
   std::string reason;
 };
 /// interval or affine, whichever needs fewer operations for a fixed set of rays through the domain: its
-/// evaluations of the tape, each counted by the cost of the tape's operations in that arithmetic. Time is not
-/// measured, so the choice is the same everywhere. `options` as for the surface; its method is not used.
+/// evaluations of the tape, each counted by the cost of the tape's operations in that arithmetic; certified,
+/// if that needs fewer still for the middle of a picture of the domain, and `options` ask for nothing that it
+/// lacks. Time is not measured, so the choice is the same everywhere. `options` as for the surface; its
+/// method is not used.
 [[nodiscard]] AutomaticMethod choose_automatically(const Expression& expression, const Domain& domain,
                                                    ImplicitSurfaceOptions options);
 

@@ -72,7 +72,7 @@ void ImplicitSurface::prepare_frustum() {
   if (!method.has_form()) return;
   if (!degree_.degree)
     throw InputError(fmt::format("--method {} needs a polynomial in x, y and z, and the formula is {}",
-                                 method.name, degree_.reason));
+                                 name_of(method), degree_.reason));
   FrustumOptions options;
   options.degree = *degree_.degree;
   options.iso = options_.iso;

@@ -1,5 +1,7 @@
 #include <isocast/implicit/methods.h>
 
+#include <algorithm>
+
 namespace isocast {
 namespace {
 
@@ -83,6 +85,17 @@ constexpr MethodOption kInterval[] = {kEps,        kEpsRel,      kDelta, kBisect
 constexpr MethodOption kAffine[] = {kEps,        kEpsRel,      kDelta, kBisection, kTrim,    kShadow,
                                     kNormalStep, kNormalGrows, kBeams, kPrune,     kRounding};
 constexpr MethodOption kCertified[] = {kEps, kEpsRel, kShadow, kNormalStep, kNormalGrows, kPrune};
+constexpr MethodOption kBeamCast[] = {
+    {"eps", 0x1p-10, 0x1p-30, 1, false, "depth from -1 to 1", "parts of a pixel's beam below it are painted"},
+    {"depth", 0, 0, 2, true, "levels", "how far below pixels the quadtree goes"},
+    {"form", 0, 0, 1, true, "",
+     "interval: over the box around a part of a beam; affine: forms that follow the beam's slant",
+     "interval affine"},
+    kEpsRel,
+    kShadow,
+    kNormalStep,
+    kNormalGrows,
+    kPrune};
 constexpr MethodOption kDerivative[] = {kEps,         kEpsRel, kDelta, kShadow,  kNormalStep,
                                         kNormalGrows, kBeams,  kPrune, kRounding};
 constexpr MethodOption kMarching[] = {
@@ -152,12 +165,15 @@ constexpr Method kMethods[] = {
      "side; on "
      "the frustum form of Reimers and Seland"},
     {"certified", "formula", "both", "library", "float double", kCertified, kGanacim},
+    {"beam-uniform", "formula", "misses", "library", "float double", kBeamCast, kGanacim},
+    {"beam-adaptive", "formula", "misses", "library", "float double", kBeamCast, kGanacim},
 };
 
 // What each row runs: on rays of the camera, and on others.
 struct Run {
   FormulaPass pass;
   FormulaMethod method;
+  bool operator==(const Run&) const = default;
 };
 constexpr Run kRuns[std::size(kMethods)] = {
     {FormulaPass::none, FormulaMethod::interval},
@@ -173,6 +189,8 @@ constexpr Run kRuns[std::size(kMethods)] = {
     {FormulaPass::frustum, FormulaMethod::frustum_schneider},
     {FormulaPass::frustum, FormulaMethod::frustum_clip},
     {FormulaPass::certified, FormulaMethod::affine},
+    {FormulaPass::beam_uniform, FormulaMethod::interval},
+    {FormulaPass::beam_adaptive, FormulaMethod::interval},
 };
 
 }  // namespace
@@ -185,13 +203,16 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   const std::map<std::string, double> values = resolve_options(method, settings);
   FormulaMethodChoice choice;
   const Run& run = kRuns[&method - kMethods];
-  choice.name = method.name;
   choice.method = run.method, choice.pass = run.pass;
   const auto value = [&values](const char* option, double otherwise) {
     const auto found = values.find(option);
     return found == values.end() ? otherwise : found->second;
   };
-  choice.eps = value("eps", choice.eps);
+  const bool casts = run.pass == FormulaPass::beam_uniform || run.pass == FormulaPass::beam_adaptive;
+  if (casts) choice.depth_eps = value("eps", 0);
+  else choice.eps = value("eps", choice.eps);
+  choice.finer = static_cast<int>(value("depth", 0));
+  choice.affine_beams = value("form", 0) == 1;
   choice.eps_rel = value("eps-rel", choice.eps_rel);
   choice.offset = value("offset", 0);
   choice.shadow_eps_rel = value("shadow-eps-rel", 0);
@@ -217,6 +238,10 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   if (choice.method == FormulaMethod::mitchell) options.derivative = Derivative::of_all;
   if (choice.method == FormulaMethod::interval_newton) options.derivative = Derivative::newton;
   return choice;
+}
+
+std::string_view name_of(const FormulaMethodChoice& choice) {
+  return kMethods[std::ranges::find(kRuns, Run{choice.pass, choice.method}) - kRuns].name;
 }
 
 }  // namespace isocast

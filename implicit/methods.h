@@ -12,14 +12,13 @@
 namespace isocast {
 
 /// What finds the primary rays of a picture together, if anything does.
-enum class FormulaPass : std::uint8_t { none, frustum, certified };
+enum class FormulaPass : std::uint8_t { none, frustum, certified, beam_uniform, beam_adaptive };
 
 /// Those of FormulaMethod first, in its order; then those with a pass.
 [[nodiscard]] std::span<const Method> formula_methods();
 
 /// A row with the values of its options; lengths in world units, 0 where the domain or f's probe decides.
 ///
-/// name      of the row
 /// method    of rays that no pass finds
 /// eps       a length; 0: eps_rel, a fraction of the domain's longest edge
 /// options   step and tau may be 0 as well
@@ -27,17 +26,21 @@ enum class FormulaPass : std::uint8_t { none, frustum, certified };
 /// nearest   inclusions whose bounds are the nearest numbers
 /// beams     rays of a tile are first cut together to where f may be an iso-value
 /// finder    the root finder of frustum methods; certify: whether their hits and misses come with proofs
+/// depth_eps       beam-uniform, beam-adaptive: of a pixel, in depth from -1 to 1
+/// finer           levels below pixels; affine_beams: by affine forms, else by intervals
 /// prune     where min, max or a choice is decided the tape is run without what it does not need
 /// shadow_eps_rel  eps_rel of shadow rays, if larger
 /// normal_step     stencil of difference normals in eps; `normal_grows`: in proportion to the distance along
 /// the
 ///                 ray over the domain's longest edge
 struct FormulaMethodChoice {
-  std::string_view name = "affine";
   FormulaMethod method = FormulaMethod::affine;
   FormulaPass pass = FormulaPass::none;
   FormulaOptions options;
   double eps = 0, eps_rel = 0x1p-11, offset = 0, shadow_eps_rel = 0, normal_step = 1;
+  double depth_eps = 0;
+  int finer = 0;
+  bool affine_beams = false;
   bool normal_grows = false, prune = true, nearest = false, beams = true, certify = true;
   FinderOptions finder;
   /// Samples f along the rays instead of including it.
@@ -51,5 +54,8 @@ struct FormulaMethodChoice {
 /// A row with its `--set` values. Throws InputError as find_method and resolve_options do.
 [[nodiscard]] FormulaMethodChoice choose_formula_method(std::string_view name,
                                                         const std::map<std::string, std::string>& settings);
+
+/// The row that a choice comes from.
+[[nodiscard]] std::string_view name_of(const FormulaMethodChoice& choice);
 
 }  // namespace isocast

@@ -1,16 +1,32 @@
+#include <isocast/implicit/beams/beam_cast_pass.h>
 #include <isocast/implicit/beams/certified_pass.h>
 #include <isocast/implicit/implicit_surface.h>
 
 namespace isocast {
+namespace {
+
+template <class T>
+std::unique_ptr<PrimaryPass> make_pass(const View& view, const FormulaQuery<T>& query,
+                                       const FormulaPassInputs& inputs, const FormulaMethodChoice& method) {
+  if (method.pass == FormulaPass::certified) return std::make_unique<CertifiedPass<T>>(view, query, inputs);
+  const BeamCastOptions options = {method.depth_eps, method.finer, method.pass == FormulaPass::beam_adaptive,
+                                   method.affine_beams};
+  return std::make_unique<BeamCastPass<T>>(view, query, inputs, options);
+}
+
+}  // namespace
 
 std::unique_ptr<PrimaryPass> ImplicitSurface::primary(const View& view) const {
-  if (options_.method.pass == FormulaPass::none) return nullptr;
+  const FormulaMethodChoice& method = options_.method;
+  if (method.pass == FormulaPass::none) return nullptr;
   // components are told from rays
   if (frustum_) return components_ ? nullptr : frustum_->primary(view);
-  const FormulaPassInputs inputs = {*this,        tape_.registers, eps_,
-                                    options_.isa, options_.object, components_ ? &*components_ : nullptr};
-  if (options_.double_precision) return std::make_unique<CertifiedPass<double>>(view, double_query_, inputs);
-  return std::make_unique<CertifiedPass<float>>(view, float_query_, inputs);
+  FormulaPassInputs inputs = {*this, tape_,        pruning_.prunes, {},
+                              eps_,  options_.isa, options_.object, nullptr};
+  if (method.options.delta == 0) inputs.levels = options_.iso;
+  if (components_) inputs.components = &*components_;
+  if (options_.double_precision) return make_pass(view, double_query_, inputs, method);
+  return make_pass(view, float_query_, inputs, method);
 }
 
 }  // namespace isocast

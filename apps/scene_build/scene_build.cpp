@@ -114,11 +114,10 @@ void build(BuiltScene& built, const FormulaSource& source, const ObjectDescripti
   if (!wanted.iso.empty()) options.iso = wanted.iso;
   if (automatic) {
     const AutomaticMethod choice = choose_automatically(source.expression, source.domain, options);
-    options.method.method = choice.method;
-    options.method.name = formula_methods()[static_cast<std::size_t>(choice.method)].name;
+    options.method.method = choice.method, options.method.pass = choice.pass;
     built.method_reason = choice.reason;
   }
-  const Method& method = find_method(formula_methods(), options.method.name);
+  const Method& method = find_method(formula_methods(), name_of(options.method));
   check_precision(method, settings);
   built.method = std::string(method.name);
 

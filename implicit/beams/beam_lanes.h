@@ -37,15 +37,21 @@ template <Real R> struct BeamLanes {
       iso[kBeamLanes];
   SlotBits open, narrow, straight, rises;
 
-  /// One part more, of a node's quarter or of all of it.
+  /// One part more, of a node: the rays through the middles of its pixels.
   ISO_HD void add(const BeamNode<T>& node, DepthRange<T> part) {
-    const int l = count++;
-    half[l] = T(0.5) * T(node.size - 1);
-    u[l] = T(node.x) + half[l] - T(0.5) * T(kBlockSide - 1);
-    v[l] = T(node.y) + half[l] - T(0.5) * T(kBlockSide - 1);
+    const T middle = T(0.5) * T(node.size - 1), side = T(0.5) * T(kBlockSide - 1);
+    add(T(node.x) + middle - side, T(node.y) + middle - side, middle, part);
+    const int l = count - 1;
     at[l] = node.at, along_u[l] = node.along_u, along_v[l] = node.along_v;
-    from[l] = part.from, to[l] = part.to;
     window_from[l] = node.window.from, window_to[l] = node.window.to;
+  }
+  /// One part more: all rays within `at_half` pixels of (at_u, at_v).
+  ISO_HD void add(T at_u, T at_v, T at_half, DepthRange<T> part) {
+    const int l = count++;
+    u[l] = at_u, v[l] = at_v, half[l] = at_half;
+    at[l] = along_u[l] = along_v[l] = T(0);
+    from[l] = part.from, to[l] = part.to;
+    window_from[l] = part.from, window_to[l] = part.to;
   }
 
   /// Looks at all parts.

@@ -35,10 +35,10 @@ template <class F, Real R> class BeamTree {
         leaves_(rays, roots),
         rays_search_(query, rays, roots, leaves_, registers) {}
 
-  ISO_HD void run() {
-    roots_.evaluations = 0;
-    const DepthRange<T> all = {-rays_.before, rays_.most_depth};
-    *push() = {0, 0, kBlockSide, false, false, false, T(0), T(0), T(0), all, all};
+  /// The rays of a node, which is not slanted, over its window; the tape is to hold in all of `limit`.
+  ISO_HD void run(const BeamNode<T>& start, DepthRange<T> limit) {
+    limit_ = limit;
+    *push() = start;
     while (waiting_ > 0) {
       lanes_.count = part_count_ = 0;
       while (waiting_ > 0 && take()) {}
@@ -121,8 +121,13 @@ template <class F, Real R> class BeamTree {
         cross(node, l);
         continue;
       }
-      go_on(node, l, (lanes_.straight & bit) != 0);
+      go_on(node, l, (lanes_.straight & bit) != 0 && stays_within_limit(l));
     }
+  }
+  // The part that would be looked at next.
+  ISO_HD bool stays_within_limit(int l) const {
+    const T most = lanes_.half[l] * (abs(lanes_.next_u[l]) + abs(lanes_.next_v[l])) + T(2) * lanes_.radius[l];
+    return lanes_.next_at[l] - most >= limit_.from && lanes_.next_at[l] + most <= limit_.to;
   }
   ISO_HD void cross(const BeamNode<T>& part, int l) {
     const T at = lanes_.next_at[l], radius = lanes_.radius[l],
@@ -179,6 +184,7 @@ template <class F, Real R> class BeamTree {
   BeamLanes<R> lanes_;
   RaySearch<R> rays_search_;
   BeamPart parts_[kBeamLanes];
+  DepthRange<T> limit_;
   int part_count_ = 0, waiting_ = 0;
 };
 

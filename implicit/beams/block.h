@@ -16,6 +16,13 @@ constexpr int pixel_slot(int x, int y) {
   return (y / 16 * (kBlockSide / 16) + x / 16) * 256 + (y % 16 / 4 * 4 + x % 16 / 4) * 16 + y % 4 * 4 + x % 4;
 }
 
+constexpr int slot_x(int slot) {
+  return slot / 256 % (kBlockSide / 16) * 16 + slot % 256 / 16 % 4 * 4 + slot % 4;
+}
+constexpr int slot_y(int slot) {
+  return slot / 256 / (kBlockSide / 16) * 16 + slot % 256 / 64 * 4 + slot % 16 / 4;
+}
+
 /// The points start + u start_u + v start_v + t (span + u span_u + v span_v) of the rays through the pixels:
 /// u and v are pixels from the block's middle, -63.5 to 63.5; t is the depth along the camera's axis, from
 /// the plane where the domain begins. Every true point lies within slack + |t| spread of it, axis by axis.
@@ -86,6 +93,20 @@ template <class T> struct alignas(64) BlockRoots {
   std::int64_t evaluations;
   BeamNode<T> stack[kMostNodes];
   RayPiece<T> pieces[kMostPieces];
+};
+
+/// Cells of one level of a quadtree: their upper left corners in cells of the finest level, and the depths
+/// that they begin at.
+template <class T> struct BeamCells {
+  static constexpr int kMostFiner = 2, kMost = kBlockPixels << 2 * kMostFiner;
+  int count = 0;
+  std::int16_t x[kMost], y[kMost];
+  T from[kMost];
+};
+/// A level and the next one; level: of each pixel, that at which the last of its beams was thrown away.
+template <class T> struct alignas(64) BlockCells {
+  BeamCells<T> buffer[2];
+  std::uint8_t level[kBlockPixels];
 };
 
 }  // namespace isocast

@@ -110,9 +110,33 @@ template <class T> double BlockFrame::distance(const BlockRays<T>& rays, int x, 
   return (rays.depth + depth) * std::sqrt(squared);
 }
 
+template <class T>
+Box BlockFrame::box_around(const BlockRays<T>& rays, int x, int y, int size, DepthRange<T> part) {
+  Box box;
+  for (int corner = 0; corner < 8; ++corner) {
+    const double u = x - 0.5 * (kBlockSide - 1) + (corner & 1 ? size - 1 : 0),
+                 v = y - 0.5 * (kBlockSide - 1) + (corner & 2 ? size - 1 : 0),
+                 t = corner & 4 ? part.to : part.from;
+    Double3 p;
+    for (int a = 0; a < 3; ++a)
+      p[a] = rays.start[a] + u * rays.start_u[a] + v * rays.start_v[a] +
+             t * (rays.span[a] + u * rays.span_u[a] + v * rays.span_v[a]);
+    box.add(p);
+  }
+  const double longest = std::max(std::abs(double(part.from)), std::abs(double(part.to)));
+  for (int a = 0; a < 3; ++a) {
+    const double slack = 2 * (rays.slack[a] + longest * rays.spread[a]);
+    box.lo[a] -= slack, box.hi[a] += slack;
+  }
+  return box;
+}
+
 template BlockRays<float> BlockFrame::block(int, int, double, double, double) const;
 template BlockRays<double> BlockFrame::block(int, int, double, double, double) const;
 template double BlockFrame::distance(const BlockRays<float>&, int, int, double);
 template double BlockFrame::distance(const BlockRays<double>&, int, int, double);
+
+template Box BlockFrame::box_around(const BlockRays<float>&, int, int, int, DepthRange<float>);
+template Box BlockFrame::box_around(const BlockRays<double>&, int, int, int, DepthRange<double>);
 
 }  // namespace isocast

@@ -18,6 +18,8 @@ class BlockFrame {
   /// False where no ray of the picture meets the box.
   [[nodiscard]] bool meets() const { return nearest_ < farthest_; }
 
+  [[nodiscard]] const Box& box() const { return box_; }
+
   /// Block (bx, by), its rays through (x + offset_u, y + offset_v) of their pixels, with brackets of `eps`, a
   /// world length.
   template <class T>
@@ -26,6 +28,10 @@ class BlockFrame {
   /// A depth of a block's rays, z - rays.depth, as the parameter t of the ray at (x, y) of the block.
   template <class T>
   [[nodiscard]] static double distance(const BlockRays<T>& rays, int x, int y, double depth);
+
+  /// A box around the rays of a square of pixels between two depths.
+  template <class T>
+  [[nodiscard]] static Box box_around(const BlockRays<T>& rays, int x, int y, int size, DepthRange<T> part);
 
  private:
   Double3 start_, start_u_, start_v_, span_, span_u_, span_v_;

@@ -12,61 +12,113 @@ template <class T> ISO_HD inline int crossed_iso(const BlockRoots<T>& roots, int
   return static_cast<int>(abs(roots.side[slot])) - 1;
 }
 
-/// The best guesses at the roots of a tile: steps of the secant method in plain arithmetic, from the middle
-/// of the bracket and the slope that the form had, kept in the bracket. Proves nothing and changes no proof.
-/// `registers` has room for kSlots / kWidth<R> of R a register.
-template <Real R>
-ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays,
-                               int tile, BlockRoots<Scalar<R>>& roots, void* registers) {
+/// Slots of a tile with roots, up to kSlots of them side by side, and points of their rays.
+template <Real R> struct TileLanes {
   using T = Scalar<R>;
-  constexpr int kPacks = kSlots / kWidth<R>, kSteps = sizeof(T) == 4 ? 2 : 4;
-  const int x0 = tile % (kBlockSide / 16) * 16, y0 = tile / (kBlockSide / 16) * 16;
-  for (int first = 0; first < kStreamSize; first += kSlots) {
-    int slots[kPacks], packs = 0;
-    R u[kPacks], v[kPacks], t[kPacks], lo[kPacks], hi[kPacks], slope[kPacks], iso[kPacks], before[kPacks];
+  static constexpr int kPacks = kSlots / kWidth<R>;
+
+  int slots[kPacks], packs = 0;
+  R u[kPacks], v[kPacks];
+  Mask<R> found[kPacks];
+
+  /// The packs with roots from `range` among the kSlots slots of a tile from `first` on.
+  ISO_HD TileLanes(const BlockRoots<T>& roots, int tile, int first, DepthRange<T> range) {
     for (int i = first; i < first + kSlots; i += kWidth<R>) {
       const int slot = tile * kStreamSize + i;
-      const R found_lo = load<R>(roots.lo + slot);
-      const Mask<R> found = abs(found_lo) < R(kInfinity<T>);
-      if (!any(found)) continue;
-      T at_u[kWidth<R>], at_v[kWidth<R>], level[kWidth<R>];
+      const R lo = load<R>(roots.lo + slot);
+      const Mask<R> some = (abs(lo) < R(kInfinity<T>)) & (lo >= R(range.from)) & (lo <= R(range.to));
+      if (!any(some)) continue;
+      T at_u[kWidth<R>], at_v[kWidth<R>];
       for (int l = 0; l < kWidth<R>; ++l) {
-        const int p = (i + l) / kPacketSize, k = (i + l) % kPacketSize;
-        at_u[l] = T(x0 + p % 4 * 4 + k % 4) - T(0.5) * T(kBlockSide - 1);
-        at_v[l] = T(y0 + p / 4 * 4 + k / 4) - T(0.5) * T(kBlockSide - 1);
-        level[l] = abs(roots.lo[slot + l]) < kInfinity<T> ? query.iso_lo[crossed_iso(roots, slot + l)] : T(0);
+        at_u[l] = T(slot_x(slot + l)) - T(0.5) * T(kBlockSide - 1);
+        at_v[l] = T(slot_y(slot + l)) - T(0.5) * T(kBlockSide - 1);
       }
-      u[packs] = load<R>(at_u), v[packs] = load<R>(at_v), iso[packs] = load<R>(level);
-      lo[packs] = select(found, found_lo, R(T(0))),
-      hi[packs] = select(found, load<R>(roots.hi + slot), R(T(0)));
-      t[packs] = select(found, load<R>(roots.t + slot), R(T(0)));
-      slope[packs] = select(found, load<R>(roots.slope + slot), R(T(1)));
-      before[packs] = R(T(0));
+      u[packs] = load<R>(at_u), v[packs] = load<R>(at_v), found[packs] = some;
       slots[packs++] = slot;
     }
-    for (int step = 0; step < kSteps && packs > 0; ++step) {
-      R inputs[4 * kPacks];
-      for (int p = 0; p < packs; ++p) {
-        for (int a = 0; a < 3; ++a)
-          inputs[a * kPacks + p] =
-              R(rays.start[a]) + u[p] * R(rays.start_u[a]) + v[p] * R(rays.start_v[a]) +
-              t[p] * (R(rays.span[a]) + u[p] * R(rays.span_u[a]) + v[p] * R(rays.span_v[a]));
-        inputs[3 * kPacks + p] = R(static_cast<T>(query.time));
-      }
-      const R* const f =
-          evaluate_some<kPacks>(query.tape, static_cast<const R*>(inputs), static_cast<R*>(registers), packs);
-      for (int p = 0; p < packs; ++p) {
-        const R value = f[p] - iso[p], moved = value / slope[p];
+  }
+  /// Values of the slots with roots, else `otherwise`.
+  ISO_HD R get(const T* values, int p, R otherwise) const {
+    return select(found[p], load<R>(values + slots[p]), otherwise);
+  }
+  /// f at these depths.
+  ISO_HD const R* evaluate(const FormulaQuery<T>& query, const BlockRays<T>& rays, const R* t,
+                           void* registers) const {
+    R inputs[4 * kPacks];
+    for (int p = 0; p < packs; ++p) {
+      for (int a = 0; a < 3; ++a)
+        inputs[a * kPacks + p] =
+            R(rays.start[a]) + u[p] * R(rays.start_u[a]) + v[p] * R(rays.start_v[a]) +
+            t[p] * (R(rays.span[a]) + u[p] * R(rays.span_u[a]) + v[p] * R(rays.span_v[a]));
+      inputs[3 * kPacks + p] = R(static_cast<T>(query.time));
+    }
+    return evaluate_some<kPacks>(query.tape, static_cast<const R*>(inputs), static_cast<R*>(registers),
+                                 packs);
+  }
+};
+
+/// The best guesses at the roots of a tile whose brackets begin in `range`: steps of the secant method in
+/// plain arithmetic, from the middle of the bracket and the slope that the form had, kept in the bracket.
+/// Proves nothing and changes no proof. `registers` has room for kSlots / kWidth<R> of R a register.
+template <Real R>
+ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays,
+                               int tile, DepthRange<Scalar<R>> range, BlockRoots<Scalar<R>>& roots,
+                               void* registers) {
+  using T = Scalar<R>;
+  constexpr int kPacks = TileLanes<R>::kPacks, kSteps = sizeof(T) == 4 ? 2 : 4;
+  const R zero = R(T(0));
+  for (int first = 0; first < kStreamSize; first += kSlots) {
+    const TileLanes<R> lanes(roots, tile, first, range);
+    R t[kPacks], lo[kPacks], hi[kPacks], slope[kPacks], iso[kPacks], before[kPacks];
+    for (int p = 0; p < lanes.packs; ++p) {
+      lo[p] = lanes.get(roots.lo, p, zero), hi[p] = lanes.get(roots.hi, p, zero);
+      t[p] = lanes.get(roots.t, p, zero), slope[p] = lanes.get(roots.slope, p, R(T(1)));
+      const R level = abs(lanes.get(roots.side, p, R(T(1)))) - R(T(1));
+      iso[p] = R(query.iso_lo[0]);
+      for (int i = 1; i < query.iso_count; ++i) iso[p] = select(level == R(T(i)), R(query.iso_lo[i]), iso[p]);
+      before[p] = zero;
+    }
+    for (int step = 0; step < kSteps && lanes.packs > 0; ++step) {
+      const R* const f = lanes.evaluate(query, rays, t, registers);
+      for (int p = 0; p < lanes.packs; ++p) {
+        const R value = f[p] - iso[p];
         // f changed by value - before over the last step, where the slope foretold -before
         const R better = slope[p] * ((before[p] - value) / before[p]);
-        const Mask<R> usable = Mask<R>(step > 0) & (better * slope[p] > R(T(0)));
-        const R next = t[p] - select(usable, value / better, moved);
-        slope[p] = select(usable, better, slope[p]);
+        slope[p] = select(Mask<R>(step > 0) & (better * slope[p] > zero), better, slope[p]);
+        const R next = t[p] - value / slope[p];
         before[p] = value;
         t[p] = select(next == next, min(max(next, lo[p]), hi[p]), t[p]);
       }
     }
-    for (int p = 0; p < packs; ++p) store(roots.t + slots[p], t[p]);
+    for (int p = 0; p < lanes.packs; ++p)
+      store(roots.t + lanes.slots[p], select(lanes.found[p], t[p], load<R>(roots.t + lanes.slots[p])));
+  }
+}
+
+/// Of a tile's roots that are not proved: the iso-value nearest to f at the guess, and f's side of it at lo,
+/// in plain arithmetic.
+template <Real R>
+ISO_HD inline void guess_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays,
+                              int tile, BlockRoots<Scalar<R>>& roots, void* registers) {
+  using T = Scalar<R>;
+  constexpr int kPacks = TileLanes<R>::kPacks;
+  for (int first = 0; first < kStreamSize; first += kSlots) {
+    const TileLanes<R> lanes(roots, tile, first, {-kInfinity<T>, kInfinity<T>});
+    R t[kPacks], lo[kPacks], nearest[kPacks], level[kPacks];
+    for (int p = 0; p < lanes.packs; ++p)
+      t[p] = lanes.get(roots.t, p, R(T(0))), lo[p] = lanes.get(roots.lo, p, R(T(0)));
+    const R* f = lanes.evaluate(query, rays, t, registers);
+    for (int p = 0; p < lanes.packs; ++p) {
+      nearest[p] = R(T(1)), level[p] = R(query.iso_lo[0]);
+      for (int i = 1; i < query.iso_count; ++i) {
+        const Mask<R> nearer = abs(f[p] - R(query.iso_lo[i])) < abs(f[p] - level[p]);
+        nearest[p] = select(nearer, R(T(i + 1)), nearest[p]);
+        level[p] = select(nearer, R(query.iso_lo[i]), level[p]);
+      }
+    }
+    f = lanes.evaluate(query, rays, lo, registers);
+    for (int p = 0; p < lanes.packs; ++p)
+      store(roots.side + lanes.slots[p], select(f[p] < level[p], nearest[p], -nearest[p]));
   }
 }
 
@@ -81,20 +133,19 @@ ISO_HD inline std::uint32_t sides_in_front(const FormulaQuery<T>& query, const B
   return sides;
 }
 
-/// Puts the roots of a tile, all of them proved, where hits holds none that are nearer; those of rays that
+/// Puts the roots of a tile where hits holds none that are nearer; those of rays that
 /// are unclear before them are left out.
 template <Real R, class T>
 ISO_HD inline void write_tile(const FormulaQuery<T>& query, const BlockRays<T>& rays,
-                              const BlockRoots<T>& roots, int tile, std::uint16_t object, HitStream& hits) {
+                              const BlockRoots<T>& roots, int tile, std::uint16_t object,
+                              Certificate certificate, HitStream& hits) {
   static_assert(__is_same(Scalar<R>, double));
-  const int x0 = tile % (kBlockSide / 16) * 16, y0 = tile / (kBlockSide / 16) * 16, slot = tile * kStreamSize;
+  const int slot = tile * kStreamSize;
   for (int i = 0; i < kStreamSize; i += kWidth<R>) {
     double at_u[kWidth<R>], at_v[kWidth<R>], t[kWidth<R>], lo[kWidth<R>], hi[kWidth<R>], unclear[kWidth<R>];
     for (int l = 0; l < kWidth<R>; ++l) {
-      const int p = (i + l) / kPacketSize, k = (i + l) % kPacketSize;
-      at_u[l] = x0 + p % 4 * 4 + k % 4 - 0.5 * (kBlockSide - 1);
-      at_v[l] = y0 + p / 4 * 4 + k / 4 - 0.5 * (kBlockSide - 1);
       const int s = slot + i + l;
+      at_u[l] = slot_x(s) - 0.5 * (kBlockSide - 1), at_v[l] = slot_y(s) - 0.5 * (kBlockSide - 1);
       t[l] = roots.t[s], lo[l] = roots.lo[s], hi[l] = roots.hi[s], unclear[l] = roots.unclear[s];
     }
     const Mask<R> found = (abs(load<R>(lo)) < R(kInfinity<double>)) & !(load<R>(unclear) < load<R>(lo));
@@ -119,7 +170,7 @@ ISO_HD inline void write_tile(const FormulaQuery<T>& query, const BlockRays<T>& 
       hits.iso[k] = static_cast<std::uint8_t>(crossed_iso(roots, slot + k));
       hits.sides[k] = sides_in_front(query, roots, slot + k);
       hits.object[k] = object;
-      hits.certificate[k] = Certificate::proved_hit;
+      hits.certificate[k] = certificate;
     }
   }
 }

@@ -48,6 +48,11 @@ template <Real R> class BlockLeaves {
  public:
   ISO_HD BlockLeaves(const BlockRays<T>& rays, BlockRoots<T>& roots) : rays_(rays), roots_(roots) {
     for (int l = 0; l < kPacketLanes; ++l) lane_x_[l] = T(l % kPacketSide), lane_y_[l] = T(l / kPacketSide);
+  }
+
+  /// Begins a block: nothing is found.
+  ISO_HD void clear() {
+    roots_.evaluations = 0;
     PacketSquare(0, 0, kBlockSide).each([this](int slot, int x, int y) {
       for (int p = 0; p < kPacks; ++p) {
         const Mask<R> outside = (column(x, p) >= R(T(rays_.columns))) | (row(y, p) >= R(T(rays_.rows)));

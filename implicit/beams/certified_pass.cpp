@@ -1,5 +1,5 @@
 #include <isocast/implicit/beams/certified_pass.h>
-#include <isocast/implicit/register_memory.h>
+#include <isocast/implicit/beams/pruned_block.h>
 #include <isocast/isa/cpu.h>
 #include <isocast/math/rounding.h>
 #include <isocast/render/camera.h>
@@ -57,46 +57,34 @@ struct OpenRays {
 }  // namespace
 
 template <class T>
-CertifiedPass<T>::CertifiedPass(const View& view, const FormulaQuery<T>& query,
-                                const FormulaPassInputs& inputs)
-    : view_(view), query_(query), inputs_(inputs), frame_(view, inputs.surface.bounds()) {}
-
-template <class T>
 void CertifiedPass<T>::first_hits(int bx, int by, double offset_u, double offset_v, BlockHits& hits,
                                   TraceCounts& counts) const {
-  if (!frame_.meets()) return;
+  if (!this->frame_.meets()) return;
   const DefaultFloatEnvironment environment;
-  const BlockRays<T> rays = frame_.block<T>(bx, by, offset_u, offset_v, inputs_.eps);
-  thread_local const auto memory = std::make_unique_for_overwrite<BlockRoots<T>>();
-  BlockRoots<T>& roots = *memory;
-  const BlockKernels<T>& kernels = beam_kernels(inputs_.isa).template of<T>();
-  void* const registers = registers_of(inputs_.registers * kernels.register_bytes);
-  kernels.trace(query_, rays, roots, registers);
+  const BlockRays<T> rays = this->frame_.template block<T>(bx, by, offset_u, offset_v, this->inputs_.eps);
+  BlockRoots<T>& roots = this->roots();
+  const BlockKernels<T>& kernels = this->kernels();
+  void* const registers = this->registers();
+  kernels.clear(rays, roots);
+  const DepthRange<T> all = {-rays.before, rays.most_depth};
+  if (this->inputs_.prunes)
+    PrunedBlock<T>(this->query_, this->inputs_, kernels, this->frame_.box(), rays, roots).trace(all);
+  else {
+    constexpr DepthRange<T> everywhere = {-kInfinity<T>, kInfinity<T>};
+    kernels.trace(this->query_, rays, node_of(0, 0, kBlockSide, all), everywhere, roots, registers);
+    for (int tile = 0; tile < kBlockStreams; ++tile)
+      kernels.polish(this->query_, rays, tile, everywhere, roots, registers);
+  }
   counts.evaluations += roots.evaluations;
   for (int tile = 0; tile < kBlockStreams; ++tile) {
     const T* const lo = roots.lo + tile * kStreamSize;
-    if (std::none_of(lo, lo + kStreamSize, [](T x) { return std::abs(x) < kInfinity<T>; })) continue;
-    kernels.polish(query_, rays, tile, roots, registers);
+    if (std::none_of(lo, lo + kStreamSize, [](T depth) { return std::abs(depth) < kInfinity<T>; })) continue;
     const int x = tile % kBlockTiles, y = tile / kBlockTiles;
     HitStream& found = hits.tile(x, y);
-    kernels.write(query_, rays, roots, tile, inputs_.object, found);
-    if (inputs_.components)
-      note_components(bx * kBlockTiles + x, by * kBlockTiles + y, offset_u, offset_v, found);
+    kernels.write(this->query_, rays, roots, tile, this->inputs_.object, Certificate::proved_hit, found);
+    this->note_components(bx * kBlockTiles + x, by * kBlockTiles + y, offset_u, offset_v, found);
   }
   solve_open_rays(bx, by, offset_u, offset_v, rays, roots, hits, counts);
-}
-
-template <class T>
-void CertifiedPass<T>::note_components(int tx, int ty, double offset_u, double offset_v,
-                                       HitStream& found) const {
-  RayStream rays;
-  view_.fill(tx, ty, offset_u, offset_v, rays);
-  for (int i = 0; i < kStreamSize; ++i)
-    if (is_hit(found, i) && found.object[i] == inputs_.object)
-      found.cell[0][i] =
-          inputs_.components->at({rays.ox[i] + found.t[i] * rays.dx[i], rays.oy[i] + found.t[i] * rays.dy[i],
-                                  rays.oz[i] + found.t[i] * rays.dz[i]},
-                                 query_.time);
 }
 
 template <class T>
@@ -112,16 +100,17 @@ void CertifiedPass<T>::solve_open_rays(int bx, int by, double offset_u, double o
     bool filled = false;
     for (int i = 0; i < kStreamSize; ++i) {
       if (!(unclear[i] < lo[i])) continue;
-      if (!filled) view_.fill(bx * kBlockTiles + x, by * kBlockTiles + y, offset_u, offset_v, *tile_rays);
+      if (!filled)
+        this->view_.fill(bx * kBlockTiles + x, by * kBlockTiles + y, offset_u, offset_v, *tile_rays);
       filled = true;
       const int p = i / kPacketSize, l = i % kPacketSize;
       const double from = BlockFrame::distance(rays, x * kTileSize + p % 4 * 4 + l % 4,
                                                y * kTileSize + p / 4 * 4 + l / 4, unclear[i]);
       open->add(*tile_rays, i, from - 0x1p-45 * std::abs(from), hits.tile(x, y));
-      if (open->rays.size == kStreamSize) open->solve(inputs_.surface, counts);
+      if (open->rays.size == kStreamSize) open->solve(this->inputs_.surface, counts);
     }
   }
-  open->solve(inputs_.surface, counts);
+  open->solve(this->inputs_.surface, counts);
 }
 
 template class CertifiedPass<float>;

@@ -9,15 +9,29 @@ namespace isocast {
 
 enum class Isa : std::uint8_t;  // isa/cpu.h
 
-/// trace   fills the roots of a block
-/// polish  improves the guesses at those of a tile
-/// write   makes hits of them
-/// `registers` has room for Tape::registers times `register_bytes`, aligned to 64.
+/// clear   begins a block: nothing is found
+/// trace   searches a node, which is not slanted, by a tree of beams; the tape is to hold in all of `limit`,
+/// which
+///         is a sixteenth of the node's window and eps longer at both ends, or more
+/// cast    fills them by casting beams: with intervals or affine forms, `finer` levels below pixels, adaptive
+/// or
+///         for every pixel; lo and hi bound what is not empty, and nothing is said of what lies before `t`
+/// polish  improves the guesses at those roots of a tile whose brackets begin in a range
+/// guess   gives the iso-value that f is nearest to at the guesses of a tile, and sides of it in front of
+/// them write   makes hits of the roots of a tile, each with this certificate `registers` has room for
+/// Tape::registers times `register_bytes`, aligned to 64.
 template <class T> struct BlockKernels {
-  void (*trace)(const FormulaQuery<T>&, const BlockRays<T>&, BlockRoots<T>&, void* registers);
-  void (*polish)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, BlockRoots<T>&, void* registers);
+  void (*clear)(const BlockRays<T>&, BlockRoots<T>&);
+  void (*trace)(const FormulaQuery<T>&, const BlockRays<T>&, const BeamNode<T>&, DepthRange<T> limit,
+                BlockRoots<T>&, void* registers);
+  using Cast = void(const FormulaQuery<T>&, const BlockRays<T>&, BlockRoots<T>&, BlockCells<T>&, int finer,
+                    bool adaptive, void* registers);
+  Cast *cast_interval, *cast_affine;
+  void (*polish)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, DepthRange<T>, BlockRoots<T>&,
+                 void* registers);
+  void (*guess)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, BlockRoots<T>&, void* registers);
   void (*write)(const FormulaQuery<T>&, const BlockRays<T>&, const BlockRoots<T>&, int tile,
-                std::uint16_t object, HitStream&);
+                std::uint16_t object, Certificate, HitStream&);
   std::size_t register_bytes;
 };
 struct BeamKernels {

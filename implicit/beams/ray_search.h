@@ -151,7 +151,7 @@ template <Real R> class RaySearch {
   BlockLeaves<R>& leaves_;
   void* registers_;
   alignas(64) T x_[kSlots] = {}, y_[kSlots] = {}, from_[kSlots] = {}, to_[kSlots] = {}, step_[kSlots] = {},
-      start_[kSlots] = {};
+                start_[kSlots] = {};
   int slot_[kSlots] = {};
   SlotBits busy_ = 0, inside_ = 0;
   int waiting_ = 0, next_ = 0;

@@ -17,6 +17,10 @@ using reference::FormulaReference, reference::FormulaRoots;
 namespace {
 
 const Domain kBox = {{-2, -2, -2}, {2, 2, 2}};
+// Pruned part by part.
+constexpr const char* kSpheres =
+    "min(min(min(x^2+y^2+z^2-0.1,(x-1)^2+y^2+z^2-0.1),min((x+1)^2+y^2+z^2-0.2,x^2+(y-1)^2+z^2-0.2)),"
+    "min(min(x^2+(y+1)^2+z^2-0.1,x^2+y^2+(z-1)^2-0.1),min(x^2+y^2+(z+1)^2-0.3,(x-1)^2+(y-1)^2+z^2-0.3)))";
 constexpr double kEps = 0x1p-10;
 
 ImplicitSurface surface_of(const Expression& expression, const Domain& domain, const char* method,
@@ -41,7 +45,7 @@ std::vector<HitStream> picture_of(const Surface& surface, const View& view) {
 TEST_CASE("trees of beams prove what single rays prove", "[property]") {
   std::mt19937_64 random(12);
   std::int64_t hits_seen = 0, compared = 0, rays_seen = 0;
-  for (std::int64_t n = 0, count = cases(48, 2000); n < count; ++n) {
+  for (std::int64_t n = 0, count = cases(54, 2000); n < count; ++n) {
     const char* formulas[] = {"x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8",
                               "sin(4*x)+sin(4*y)+sin(4*z)",
                               "min(x^2+y^2+z^2-1, abs(x-1)+y^2-0.1)",
@@ -49,11 +53,12 @@ TEST_CASE("trees of beams prove what single rays prove", "[property]") {
                               "sqrt(x-0.5) - y*z",
                               "exp(-4*(x^2+y^2)) - z^2",
                               "x - 0.3*y",
-                              "floor(3*x) - y"};
-    const Expression formula = parse_expression(formulas[n % 8]);
-    const bool precise = n / 8 % 2 == 0;
+                              "floor(3*x) - y",
+                              kSpheres};
+    const Expression formula = parse_expression(formulas[n % 9]);
+    const bool precise = n / 9 % 2 == 0;
     const std::vector<double> iso = n % 3 == 0 ? std::vector<double>{0} : std::vector<double>{0, 0.3};
-    INFO(formulas[n % 8] << (precise ? " double" : " float"));
+    INFO(formulas[n % 9] << (precise ? " double" : " float"));
     const ImplicitSurface tree = surface_of(formula, kBox, "certified", precise, iso),
                           alone = surface_of(formula, kBox, "affine", precise, iso);
     // not whole tiles, and more than a block
@@ -93,7 +98,7 @@ TEST_CASE("trees of beams prove what single rays prove", "[property]") {
       }
     });
   }
-  CHECK(compared > 0.95 * static_cast<double>(rays_seen));
+  CHECK(compared > 0.9 * static_cast<double>(rays_seen));
   CHECK(hits_seen > 10000);
 }
 
