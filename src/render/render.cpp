@@ -168,6 +168,7 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
   check_mapped_files();
   RenderCounts counts;
   workers.combine_each([&](const Worker& worker) { counts += worker.counts; });
+  counts.passes = std::ranges::count_if(frame.passes, [](const auto& pass) { return pass != nullptr; });
   return counts;
 }
 
