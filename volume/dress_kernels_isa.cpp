@@ -1,5 +1,6 @@
 // Compiled once per instruction set: dressing over the native register of double.
 #include <isocast/math/pack.h>
+#include <isocast/render/lighting.h>
 #include <isocast/volume/cell/cell.h>
 #include <isocast/volume/dress_kernels.h>
 
@@ -19,7 +20,6 @@ void store3(double (&rows)[3][kStreamSize], int i, const Vec3<R>& v) {
   store(rows[1] + i, v.y);
   store(rows[2] + i, v.z);
 }
-R dot(const Vec3<R>& a, const Vec3<R>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 // Calls work(i, mask) for every register with something to dress.
 template <class Work> void for_registers(int size, const HitsToDress& dress, Work work) {
@@ -68,15 +68,12 @@ void turn(const double (&m)[3][4], const RayStream& rays, const HitsToDress& dre
   for_registers(rays.size, dress, [&](int i, Mask<R> mine) {
     const Vec3<R> g = load3(dress.gradient, i);
     const auto world = [&](int c) { return R(m[0][c]) * g.x + R(m[1][c]) * g.y + R(m[2][c]) * g.z; };
-    const Vec3<R> v = {world(0), world(1), world(2)};
-    const R n = sqrt(dot(v, v));
-    const Mask<R> some = n > R(0);
-    const Vec3<R> unit = {select(some, v.x / n, v.x), select(some, v.y / n, v.y), select(some, v.z / n, v.z)};
-    const R along = dot(unit, {load<R>(rays.dx + i), load<R>(rays.dy + i), load<R>(rays.dz + i)});
+    const Vec3<R> n = unit(Vec3<R>{world(0), world(1), world(2)});
+    const R along = dot(n, Vec3<R>{load<R>(rays.dx + i), load<R>(rays.dy + i), load<R>(rays.dz + i)});
     const R sign = select(along > R(0), R(-1), R(1));
-    store_masked(normal[0] + i, mine, sign * unit.x);
-    store_masked(normal[1] + i, mine, sign * unit.y);
-    store_masked(normal[2] + i, mine, sign * unit.z);
+    store_masked(normal[0] + i, mine, sign * n.x);
+    store_masked(normal[1] + i, mine, sign * n.y);
+    store_masked(normal[2] + i, mine, sign * n.z);
   });
 }
 

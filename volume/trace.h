@@ -7,17 +7,9 @@
 #include <isocast/volume/query.h>
 #include <isocast/volume/ray_slack.h>
 #include <isocast/volume/sample.h>
+#include <isocast/volume/solve_packet.h>
 
 namespace isocast::inline ISO_ISA {
-
-inline void solve_packet(const VolumeQuery& query, const CellPacket<float>& packet,
-                         RootPacket<float>& roots) {
-  query.cells->solve_float[int(query.method)](query.options, &packet, &roots, 1);
-}
-inline void solve_packet(const VolumeQuery& query, const CellPacket<double>& packet,
-                         RootPacket<double>& roots) {
-  query.cells->solve_double[int(query.method)](query.options, &packet, &roots, 1);
-}
 
 /// What a lane carries from cell to cell. Only in its first cell may the signs at the start be known (bits of
 /// `sides`, f is then not evaluated there): where the ray starts on this very surface, or goes on behind a

@@ -101,7 +101,9 @@ void VolumeSurface::use_tree() {
 }
 
 std::size_t VolumeSurface::acceleration_bytes() const {
-  return macrocells_ ? macrocells_->bytes() : ranges_ ? ranges_->bytes() : 0;
+  std::size_t bytes = macrocells_ ? macrocells_->bytes() : ranges_ ? ranges_->bytes() : 0;
+  for (const auto& masks : masks_) bytes += masks->bytes();
+  return bytes;
 }
 
 Box VolumeSurface::world_box(const Double3& lo, const Double3& hi) const {

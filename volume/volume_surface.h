@@ -43,7 +43,7 @@ class VolumeSurface final : public Surface {
   VolumeSurface(std::shared_ptr<const Volume> volume, const VolumeSurfaceOptions& options);
 
   void set_options(const VolumeSurfaceOptions& options);
-  /// Memory of the ranges.
+  /// Memory of the ranges, and of the masks made so far.
   [[nodiscard]] std::size_t acceleration_bytes() const;
 
   /// The whole grid, whatever the iso-values; empty for a sparse grid without an active sample.

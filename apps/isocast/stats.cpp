@@ -14,6 +14,9 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
   features.insert(features.end(), r.features.used.begin(), r.features.used.end());
   left_out.insert(left_out.end(), r.features.left_out.begin(), r.features.left_out.end());
 
+  (r.counts.passes > 0 ? features : left_out).push_back("primary pass");
+  if (r.built.volume) (r.counts.passes > 0 ? features : left_out).push_back("bit masks");
+
   json stats = {{"version", version},
                 {"isa", r.isa},
                 {"precision", r.precision},

@@ -1,4 +1,4 @@
-// Light on a surface, and the rays of a tile, over any Real.
+// Light on a surface, over any Real.
 #pragma once
 
 #include <isocast/math/vec.h>

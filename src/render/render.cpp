@@ -182,6 +182,7 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
   RenderCounts counts;
   if (frame.features.silhouettes) counts.blended = blend_silhouettes(frame, target.pixels, film);
   workers.combine_each([&](const Worker& worker) { counts += worker.counts; });
+  counts.passes = std::ranges::count_if(frame.passes, [](const auto& pass) { return pass != nullptr; });
   return counts;
 }
 

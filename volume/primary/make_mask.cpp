@@ -2,14 +2,30 @@
 #include <isocast/volume/visit_grid.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 
 namespace isocast {
 namespace {
 
-// Bit i set: sample i of a row lies below the key.
+// Bit i set: byte i of eight is 1; each byte is 0 or 1.
+std::uint32_t bits_of_bytes(const std::uint8_t* bytes) {
+  static_assert(std::endian::native == std::endian::little);
+  std::uint64_t all;
+  std::memcpy(&all, bytes, sizeof all);
+  return static_cast<std::uint32_t>(all * 0x0102040810204080u >> 56);
+}
+
+// Bit i set: sample i of a row lies below the key. Whole rows are compared many at a time.
 template <class S> std::uint32_t row_below(const S* row, int count, typename SampleTraits<S>::Key key) {
   std::uint32_t bits = 0;
-  for (int i = 0; i < count; ++i) bits |= std::uint32_t(number(row[i]) < key) << i;
+  int i = 0;
+  if (count > kBrickSize) {
+    std::uint8_t below[kBrickSize];
+    for (; i < kBrickSize; ++i) below[i] = number(row[i]) < key;
+    bits = bits_of_bytes(below) | bits_of_bytes(below + 8) << 8;
+  }
+  for (; i < count; ++i) bits |= std::uint32_t(number(row[i]) < key) << i;
   return bits;
 }
 

@@ -5,21 +5,13 @@
 #include <isocast/volume/cell/cell.h>
 #include <isocast/volume/primary/kernels.h>
 #include <isocast/volume/ray_slack.h>
+#include <isocast/volume/solve_packet.h>
 #include <isocast/volume/traverse.h>
 
 namespace isocast::inline ISO_ISA {
 
 inline PairQueue<float>& pairs_of(PatchState& patch, float) { return patch.pairs_float; }
 inline PairQueue<double>& pairs_of(PatchState& patch, double) { return patch.pairs_double; }
-
-inline void solve_packet(const VolumeQuery& query, const CellPacket<float>& packet,
-                         RootPacket<float>& roots) {
-  query.cells->solve_float[int(query.method)](query.options, &packet, &roots, 1);
-}
-inline void solve_packet(const VolumeQuery& query, const CellPacket<double>& packet,
-                         RootPacket<double>& roots) {
-  query.cells->solve_double[int(query.method)](query.options, &packet, &roots, 1);
-}
 
 /// The first pairs of the queue as cells to be solved.
 template <class T> inline void load_pairs(const PairQueue<T>& queue, CellPacket<T>& packet) {

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <catch2/catch.hpp>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -126,4 +127,24 @@ TEMPLATE_TEST_CASE("behind a proved root the next one is proved, to the last", "
     }
   }
   CHECK(seconds > 100);
+}
+
+TEST_CASE("nothing is proved where sums of corners overflow, whatever the other lanes hold") {
+  CellPacket<float> packet = {};
+  for (int l = 0; l < kPacketSize; ++l) {
+    for (int k = 0; k < 8; ++k) packet.f[k][l] = k == 7 ? -3e38f : static_cast<float>(5 + k);
+    const float entry[3] = {0.77f, 0.47f, 0}, exit[3] = {0.79f, 1, 0.43f};
+    for (int a = 0; a < 3; ++a) {
+      packet.entry[a][l] = entry[a];
+      packet.exit[a][l] = exit[a];
+    }
+    packet.carry[l] = std::numeric_limits<float>::quiet_NaN();
+  }
+  packet.active = 0xffff;
+  const RootPacket<float> alone = answer(packet);
+  CHECK(alone.proved == 0);
+  for (int l = 1; l < kPacketSize; ++l) packet.f[7][l] = -5;  // cells with a root
+  const RootPacket<float> among = answer(packet);
+  CHECK_FALSE(bit(among.proved, 0));
+  CHECK(bit(among.hit, 0) == bit(alone.hit, 0));
 }
