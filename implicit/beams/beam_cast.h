@@ -11,8 +11,7 @@ namespace isocast::inline ISO_ISA {
 ///
 /// F         Interval<R>, over the box around a part of a beam, or AffineForm<R, 3>, which follows its slant
 /// cast      the depths of a beam are halved, nearest half first, until a part of at most eps is not
-/// rejected;
-///           where that is in the halving is one number, the path, in place of a stack
+///           rejected; where that is in the halving is one number, the path, in place of a stack
 /// adaptive  a quadtree, breadth first: a square that is not empty is quartered, each quarter begins at the
 ///           depth that the square has reached, with four parts of eps (ours: half the evaluations or fewer),
 ///           and eps, which is that of a pixel times the square's side, halves; else every pixel is cast from
@@ -20,8 +19,7 @@ namespace isocast::inline ISO_ISA {
 /// finer     so many levels more, below pixels
 /// proves    misses
 /// source    Ganacim, de Figueiredo, Nehab: Beam casting implicit surfaces on the GPU with interval
-/// arithmetic,
-///           SIBGRAPI 2011; affine forms are named there as future work
+///           arithmetic, SIBGRAPI 2011; affine forms are named there as future work
 template <class F, Real R> class BeamCast {
   using T = Scalar<R>;
 
