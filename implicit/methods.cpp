@@ -221,7 +221,7 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
   FormulaOptions& options = choice.options;
   choice.prune = value("prune", 1) != 0;
   choice.nearest = value("rounding", 0) == 1;
-  choice.beams = value("beams", 0) != 0;
+  choice.beams = value("beams", run.pass != FormulaPass::none) != 0;
   options.delta = value("delta", 0);
   options.trim = value("trim", 1) != 0;
   options.packets = value("bisection", 0) == 1;

@@ -17,15 +17,6 @@ Paper reimers_paper(const PaperWishes&) {
       {later("R-REI-1 to 20", "Root finders in the frustum form", "needs the methods frustum-*")},
       {}};
 }
-Paper ganacim_paper(const PaperWishes&) {
-  return {
-      "Ganacim, Figueiredo, Nehab: Beam casting implicit surfaces on the GPU with interval arithmetic, "
-      "SIBGRAPI 2011",
-      {},
-      {},
-      {later("R-GAN-1 to 9", "Adaptive casting of beams", "needs the methods beam-*")},
-      {}};
-}
 
 constexpr Paper (*kPapers[])(const PaperWishes&) = {marmitt_paper, knoll_paper, singh_paper, reimers_paper,
                                                     ganacim_paper};

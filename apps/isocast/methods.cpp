@@ -66,7 +66,9 @@ void run(bool json) {
     fmt::print("{}\n", list.dump(2));
   } else {
     for (const Method& method : all_methods()) print(method);
-    fmt::print("--method auto takes marmitt for volumes, and for formulas interval or affine, whichever costs less on a probe.\n");
+    fmt::print(
+        "--method auto takes marmitt for volumes, and for formulas interval, affine or certified, whichever "
+        "costs less on a probe.\n");
   }
 }
 

@@ -103,9 +103,10 @@ void add_render(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "render", "Pictures of iso-surfaces of a volume or a formula: PNG, or EXR with layers");
   const auto w = std::make_shared<RenderWords>();
-  add_scene_options(*verb, *w,
-                    "auto (marmitt for volumes, interval or affine for formulas), or a name that 'isocast "
-                    "methods' lists");
+  add_scene_options(
+      *verb, *w,
+      "auto (marmitt for volumes, interval, affine or certified for formulas), or a name that 'isocast "
+      "methods' lists");
   verb->add_option("-o", w->output, "The picture: .png (sRGB) or .exr (linear, with layers)")->required();
   verb->add_option("--iso-sweep", w->iso_sweep,
                    "FROM:TO:COUNT, a frame per value: OUT_0000.png, OUT_0001.png, ...");

@@ -11,16 +11,15 @@ namespace isocast::inline ISO_ISA {
 ///
 /// F         Interval<R>, over the box around a part of a beam, or AffineForm<R, 3>, which follows its slant
 /// cast      the depths of a beam are halved, nearest half first, until a part of at most eps is not
-/// rejected;
-///           where that is in the halving is one number, the path, in place of a stack
+///           rejected; where that is in the halving is one number, the path, in place of a stack
 /// adaptive  a quadtree, breadth first: a square that is not empty is quartered, each quarter begins at the
-///           depth that the square has reached, and eps, which is that of a pixel times the square's side,
-///           halves; else every pixel is cast from where the domain begins
+///           depth that the square has reached, with four parts of eps (ours: half the evaluations or fewer),
+///           and eps, which is that of a pixel times the square's side, halves; else every pixel is cast from
+///           where the domain begins
 /// finer     so many levels more, below pixels
 /// proves    misses
 /// source    Ganacim, de Figueiredo, Nehab: Beam casting implicit surfaces on the GPU with interval
-/// arithmetic,
-///           SIBGRAPI 2011; affine forms are named there as future work
+///           arithmetic, SIBGRAPI 2011; affine forms are named there as future work
 template <class F, Real R> class BeamCast {
   using T = Scalar<R>;
 
@@ -110,6 +109,12 @@ template <class F, Real R> class BeamCast {
     const T eps = rays_.eps * T(size_) * scale();
     constexpr int kMostLevels = 40;
     for (T length = beam.all.length(); length > eps && beam.most < kMostLevels; length *= T(0.5)) ++beam.most;
+    // what a square was cut to begins near the surface: its quarters begin with small parts
+    constexpr int kBelow = 2;
+    if (level_ > 0 && beam.most > kBelow) {
+      beam.level = beam.most - kBelow;
+      beam.path = std::uint64_t(1) << beam.level;
+    }
     return true;
   }
   ISO_HD bool goes_on(const BeamCells<T>& cells, Beam& beam, bool open) {

@@ -4,13 +4,6 @@
 #include <isocast/implicit/beams/block.h>
 #include <isocast/implicit/solve/narrow_beams.h>
 
-#ifndef TUNE_W
-#define TUNE_W 2
-#define TUNE_A 1.25f
-#define TUNE_S 0.25
-#define TUNE_L 1e30f
-#define TUNE_R 2
-#endif
 namespace isocast::inline ISO_ISA {
 
 inline constexpr int kBeamLanes = 64;
@@ -27,6 +20,8 @@ inline constexpr int kBeamLanes = 64;
 template <Real R> struct BeamLanes {
   using T = Scalar<R>;
   static constexpr int kPacks = kBeamLanes / kWidth<R>;
+  /// How close, as a share of the part's depth or of that over which the plane slants.
+  static constexpr T kStraight = T(0.25);
 
   int count = 0;
   alignas(64) T u[kBeamLanes], v[kBeamLanes], half[kBeamLanes], at[kBeamLanes], along_u[kBeamLanes],
@@ -129,8 +124,7 @@ template <Real R> struct BeamLanes {
     const R distance = found.radius * depth + rounding + R(T(8) * kSpacing<T>) * (abs(at1) + tilt1);
     const R slanted = abs(found.along_u) + abs(found.along_v);
     put(next_at, p, at1), put(next_u, p, u1), put(next_v, p, v1), put(radius, p, distance);
-    put_lanes<R>(straight, p,
-                 single & (slanted <= R(T(TUNE_L))) & (found.radius <= R(T(TUNE_S)) * max(R(T(1)), slanted)));
+    put_lanes<R>(straight, p, single & (found.radius <= R(kStraight) * max(R(T(1)), slanted)));
     put_lanes<R>(narrow, p, single & found.levels.alone() & (R(T(2)) * distance <= eps));
     put_lanes<R>(rises, p, found.levels.rises);
     put(slope, p, slope_of(f) / depth);

@@ -21,6 +21,8 @@ namespace isocast::inline ISO_ISA {
 template <class F, Real R> class BeamTree {
   using T = Scalar<R>;
   static constexpr int kMostSlabs = 4;
+  // The next part around the plane of a crossing, in distances of the roots from it.
+  static constexpr T kAround = T(1.25);
 
  public:
   /// Bytes for each register of the tape.
@@ -94,12 +96,12 @@ template <class F, Real R> class BeamTree {
       edge = next;
     }
   }
-  // Slabs as deep as the beam is wide, at most four.
+  // Slabs twice as deep as the beam is wide, at most four.
   ISO_HD int slabs_of(const BeamNode<T>& part) const {
     if (part.slanted) return 1;
-    const T width = T(part.size) * (rays_.pixel + part.now.to * rays_.pixel_spread) * T(TUNE_W);
+    const T deep = T(2 * part.size) * (rays_.pixel + part.now.to * rays_.pixel_spread);
     int slabs = 1;
-    while (slabs < kMostSlabs && T(slabs) * width < part.now.length()) slabs *= 2;
+    while (slabs < kMostSlabs && T(slabs) * deep < part.now.length()) slabs *= 2;
     return slabs;
   }
   // Cuts a part to the domain; false where nothing of it is left.
@@ -147,7 +149,7 @@ template <class F, Real R> class BeamTree {
     const DepthRange<T> here = {lanes_.near[l], lanes_.far[l]};
     next.slanted = straight || (part.slanted && T(2) * here.length() < next.window.length());
     next.whole = straight && !part.slanted;
-    const T around = T(TUNE_A) * lanes_.radius[l];
+    const T around = kAround * lanes_.radius[l];
     if (straight) {
       next.at = lanes_.next_at[l], next.along_u = lanes_.next_u[l], next.along_v = lanes_.next_v[l];
       next.now = {-around, around};
@@ -174,7 +176,7 @@ template <class F, Real R> class BeamTree {
       }
   }
   // Beams of so many pixels a side are not divided.
-  static constexpr int kSmallest = TUNE_R;
+  static constexpr int kSmallest = 2;
 
   const FormulaQuery<T>& query_;
   const BlockRays<T>& rays_;

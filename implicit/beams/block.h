@@ -56,8 +56,7 @@ template <class T> struct DepthRange {
 ///          beam's middle
 /// window   the roots that are sought lie in this part of the depth, counted from 0
 /// slanted  the plane is where a crossing was found, and `now` holds what is in the window of it on every
-/// ray;
-///          else the plane is 0, and `now` the window
+///          ray; else the plane is 0, and `now` the window
 /// inside   the window lies in the domain
 /// whole    to be looked at as it is, before it is quartered
 template <class T> struct BeamNode {
@@ -81,8 +80,7 @@ inline constexpr int kMostNodes = 4096;
 /// What beams found, in slots of pixels; depths as t of BlockRays.
 ///
 /// lo, hi    a root lies between, and no root of which all is known lies before lo; lo = +inf: none was
-/// found,
-///           -inf: the pixel is not in the picture
+///           found, -inf: the pixel is not in the picture
 /// t, slope  the best guess at it, and df/dt there
 /// side      i + 1 where f rises through iso-value i, -i - 1 where it falls
 /// unclear   nothing is known of roots from this depth on; +inf: there is no such depth

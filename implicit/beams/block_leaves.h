@@ -39,8 +39,7 @@ struct PacketSquare {
 /// The rays of a block, and what was found on them so far.
 ///
 /// nearest  of several crossings of a ray the one whose bracket begins first is kept: it holds the first
-/// root,
-///          if every part of the ray before it was looked at
+///          root, if every part of the ray before it was looked at
 template <Real R> class BlockLeaves {
   using T = Scalar<R>;
   static constexpr int kPacketLanes = 16, kPacks = kPacketLanes / kWidth<R>;

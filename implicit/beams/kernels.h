@@ -11,15 +11,14 @@ enum class Isa : std::uint8_t;  // isa/cpu.h
 
 /// clear   begins a block: nothing is found
 /// trace   searches a node, which is not slanted, by a tree of beams; the tape is to hold in all of `limit`,
-/// which
-///         is a sixteenth of the node's window and eps longer at both ends, or more
+///         which is a sixteenth of the node's window and eps longer at both ends, or more
 /// cast    fills them by casting beams: with intervals or affine forms, `finer` levels below pixels, adaptive
-/// or
-///         for every pixel; lo and hi bound what is not empty, and nothing is said of what lies before `t`
+///         or for every pixel; lo and hi bound the first part that is not thrown away
 /// polish  improves the guesses at those roots of a tile whose brackets begin in a range
-/// guess   gives the iso-value that f is nearest to at the guesses of a tile, and sides of it in front of
-/// them write   makes hits of the roots of a tile, each with this certificate `registers` has room for
-/// Tape::registers times `register_bytes`, aligned to 64.
+/// guess   gives the iso-value that f is nearest to at the guesses of a tile, and its side in front of them
+/// write   makes hits of the roots of a tile, each with this certificate
+///
+/// `registers` has room for Tape::registers times `register_bytes`, aligned to 64.
 template <class T> struct BlockKernels {
   void (*clear)(const BlockRays<T>&, BlockRoots<T>&);
   void (*trace)(const FormulaQuery<T>&, const BlockRays<T>&, const BeamNode<T>&, DepthRange<T> limit,
