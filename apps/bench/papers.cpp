@@ -7,16 +7,6 @@ namespace isocast::bench {
 namespace {
 
 // Papers whose methods isocast lacks.
-Paper reimers_paper(const PaperWishes&) {
-  return {
-      "Reimers, Seland: Ray casting algebraic surfaces using the frustum form, Computer Graphics Forum "
-      "27(2), "
-      "2008",
-      {},
-      {},
-      {later("R-REI-1 to 20", "Root finders in the frustum form", "needs the methods frustum-*")},
-      {}};
-}
 Paper ganacim_paper(const PaperWishes&) {
   return {
       "Ganacim, Figueiredo, Nehab: Beam casting implicit surfaces on the GPU with interval arithmetic, "
