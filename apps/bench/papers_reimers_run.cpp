@@ -15,6 +15,9 @@ std::vector<FinderWay> common_ways() {
   ways.push_back({finder("frustum-lr", {{"iterations", "1"}})});
   ways.push_back({finder("frustum-lr", {{"certify", "1"}})});
   ways.push_back({finder("frustum-mr", {{"eps", "0.0001"}}), true});
+  ways.push_back({finder("frustum-lr"), true});
+  for (const char* eps : kValueEps)
+    ways.push_back({finder("frustum-lr", {{"stop", "value"}, {"eps", eps}}), true});
   return ways;
 }
 
@@ -60,7 +63,7 @@ ReimersRun::ReimersRun(const PaperWishes& wishes) : size_(wishes.quick ? 256 : 5
 void ReimersRun::run(const PaperWishes& wishes, const PictureCase& picture,
                      const std::vector<FinderWay>& ways, const Box& part) {
   ReimersWishes asked{ways, part, {3, 9, 2.0}, wishes.cache};
-  if (wishes.quick) asked.repetitions = 5;
+  if (wishes.quick) asked.repetitions = {3, 5, 0.3};
   cases_[picture.name] = run_finders(picture, asked);
 }
 
@@ -91,6 +94,18 @@ double ReimersRun::root_seconds(const SurfaceOfReimers& s) const {
   const FinderResult &all = *result(s.id, finder("frustum-lr")),
                      &one = *result(s.id, finder("frustum-lr", {{"iterations", "1"}}));
   return (all.row.seconds - one.row.seconds) * all.search.steps / (all.search.steps - one.search.steps);
+}
+
+double ReimersRun::cost_of_value_rule(const SurfaceOfReimers& s) const {
+  const auto by_value = [&](const char* eps) -> const FinderResult& {
+    return *result(s.id, finder("frustum-lr", {{"stop", "value"}, {"eps", eps}}), true);
+  };
+  const FinderResult &coarse = by_value(kValueEps[0]), &fine = by_value(kValueEps[1]),
+                     &density = *result(s.id, finder("frustum-lr"), true);
+  // steps are about linear in the digits
+  const auto digits = [](const FinderResult& r) { return -std::log(r.row.t_error_p50); };
+  const double share = (digits(density) - digits(coarse)) / (digits(fine) - digits(coarse));
+  return std::lerp(coarse.search.steps, fine.search.steps, share) / density.search.steps;
 }
 
 double ReimersRun::knots(const SurfaceOfReimers& s, const MethodSetting& setting) const {

@@ -14,6 +14,8 @@ namespace isocast::bench {
 /// Of the paper's tables first, then the others that it tried.
 inline constexpr const char* kFinders[] = {"frustum-lr",      "frustum-lr-mult",   "frustum-mr",
                                            "frustum-mr-mult", "frustum-schneider", "frustum-clip"};
+/// Two eps of LR by |f|, between which what an accuracy costs is interpolated.
+inline constexpr const char* kValueEps[] = {"0.005", "5e-05"};
 /// eps at which the neck of Kiss is looked at beside 5e-4, and the neck: |z| below.
 inline constexpr const char* kNeckEps[] = {"0.05", "0.005", "5e-05", "5e-06", "5e-07"};
 inline constexpr double kNeck = 0.25;
@@ -53,6 +55,9 @@ class ReimersRun {
   /// Of LR's pass: what its searches take. Measured by what it takes without going on after one
   /// subdivision, which counts for all of them.
   [[nodiscard]] double root_seconds(const SurfaceOfReimers& s) const;
+  /// How many times as many subdivisions LR takes by |f| as by density at 5e-4, for the same median error, in
+  /// double.
+  [[nodiscard]] double cost_of_value_rule(const SurfaceOfReimers& s) const;
   /// Knots a ray, a subdivision being `degree` of them.
   [[nodiscard]] double knots(const SurfaceOfReimers& s, const MethodSetting& setting) const;
 

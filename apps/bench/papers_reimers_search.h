@@ -12,8 +12,8 @@ namespace isocast::bench {
 /// One finder's searches against those of the reference, over the whole picture.
 ///
 /// steps         a ray, of rays that the reference needs a step for
-/// steps_inside  a ray that hits away from edges: where a neighbour hits nothing, or 1/50 of the depths away
-/// steps_edges   a ray that hits at an edge
+/// steps_inside  a ray that hits away from edges
+/// steps_edges   a ray at an edge: a neighbour hits where it does not, or 1/50 of the depths away
 /// value_*       |f| at hits over the largest coefficient of the whole form: mean, largest
 /// depth_*       difference in depth where both hit, 1 from the nearest to the farthest point of the domain
 /// other_roots   rays where that is more than 0.01

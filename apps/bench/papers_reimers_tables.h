@@ -29,6 +29,9 @@ inline constexpr const char* kReimersNotes[] = {
     "ray in 61; the others count among undecided_reference. K is the largest Bernstein coefficient of the "
     "one "
     "form of the whole frustum, between the nearest and the farthest depth of the domain.",
+    "Every search starts from the left, so that a lengthened step of the Mult methods that passes a root is "
+    "no "
+    "loss: it is one more knot, and the first change of sign is looked for again.",
     "The hull of the control polygon meets the axis first at the least of the crossings of all pairs of "
     "coefficients of different sign, which is where one-sided clipping cuts here; pairs with the first "
     "coefficient alone, as the hull is sometimes described, may cut a root off."};
