@@ -48,6 +48,7 @@ struct PaperWishes {
 [[nodiscard]] Paper marmitt_paper(const PaperWishes& wishes);
 [[nodiscard]] Paper knoll_paper(const PaperWishes& wishes);
 [[nodiscard]] Paper singh_paper(const PaperWishes& wishes);
+[[nodiscard]] Paper reimers_paper(const PaperWishes& wishes);
 [[nodiscard]] Paper ganacim_paper(const PaperWishes& wishes);
 
 }  // namespace isocast::bench

@@ -13,7 +13,7 @@ namespace isocast::bench {
 MethodSetting paper_setting(std::span<const Method> table, const std::string& method,
                             const std::map<std::string, std::string>& set) {
   constexpr std::pair<std::string_view, std::string_view> kOfPapers[] = {
-      {"beams", "0"}, {"trim", "0"}, {"rounding", "nearest"}};
+      {"beams", "0"}, {"trim", "0"}, {"rounding", "nearest"}, {"certify", "0"}};
   const Method& row = find_method(table, method);
   MethodSetting setting{method, {}, row.proves, set};
   for (const auto& [option, value] : kOfPapers)

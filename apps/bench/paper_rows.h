@@ -9,8 +9,8 @@
 
 namespace isocast::bench {
 
-/// A method of the table as its paper ran it: of the options that are ours, those that it has are off, and
-/// bounds are rounded to the nearest. Throws InputError for methods and options that there are not.
+/// A method of the table as its paper ran it: of the options that are ours, those that it has are off, bounds
+/// are rounded to the nearest, and the frustum's signs prove nothing. Throws InputError for methods and options that there are not.
 [[nodiscard]] MethodSetting paper_setting(std::span<const Method> table, const std::string& method,
                                           const std::map<std::string, std::string>& set = {});
 

@@ -6,18 +6,6 @@
 namespace isocast::bench {
 namespace {
 
-// Papers whose methods isocast lacks.
-Paper reimers_paper(const PaperWishes&) {
-  return {
-      "Reimers, Seland: Ray casting algebraic surfaces using the frustum form, Computer Graphics Forum "
-      "27(2), "
-      "2008",
-      {},
-      {},
-      {later("R-REI-1 to 20", "Root finders in the frustum form", "needs the methods frustum-*")},
-      {}};
-}
-
 constexpr Paper (*kPapers[])(const PaperWishes&) = {marmitt_paper, knoll_paper, singh_paper, reimers_paper,
                                                     ganacim_paper};
 

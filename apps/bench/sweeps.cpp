@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <isocast/apps/bench/sweeps.h>
+#include <isocast/implicit/expression/degree.h>
 #include <isocast/implicit/methods.h>
 #include <isocast/volume/methods.h>
 
@@ -11,7 +12,7 @@ namespace isocast::bench {
 namespace {
 
 // The option that trades a method's time for error, and its values; of `longest` where they are lengths. A
-// method's knob is the first of these that it has.
+// method's knob is the first of these that it has (`eps` is a length where there is an eps-rel).
 struct Knob {
   std::string_view option;
   bool length;
@@ -28,17 +29,33 @@ const std::vector<Knob>& knobs() {
   static const std::vector<Knob> all = {
       {"eps-rel", false, powers_of_half({6, 8, 10, 12, 14, 16, 18, 20, 22, 24}),
        powers_of_half({6, 10, 14, 18})},
+      {"eps", false, powers_of_half({6, 8, 10, 12, 14, 16, 18, 20}), powers_of_half({6, 10, 14})},
       {"step", true, powers_of_half({5, 6, 7, 8, 9, 10, 11, 12}), powers_of_half({6, 8, 10})},
       {"iterations", false, {1, 2, 3, 4, 5, 6, 8, 10}, {1, 3, 10}}};
   return all;
 }
 
+// What else a method may do otherwise than by default; tried at its default knob.
+struct Switch {
+  const char *option, *value;
+};
+constexpr Switch kSwitches[] = {{"stop", "value"}, {"certify", "0"}};
+
+bool has_option(const Method& method, std::string_view option) {
+  return std::ranges::find(method.options, option, &MethodOption::name) != method.options.end();
+}
+
 const Knob* knob_of(const Method& method) {
-  const auto has = [&](const Knob& knob) {
-    return std::ranges::find(method.options, knob.option, &MethodOption::name) != method.options.end();
-  };
-  const auto found = std::ranges::find_if(knobs(), has);
+  const auto found =
+      std::ranges::find_if(knobs(), [&](const Knob& knob) { return has_option(method, knob.option); });
   return found == knobs().end() ? nullptr : &*found;
+}
+
+// Whether a method can be used for an object whose f is of its kind: forms are of polynomials alone.
+bool fits(const Method& method, const ObjectDescription& object) {
+  const auto* const formula = std::get_if<FormulaSource>(&object.source);
+  return !formula || !choose_formula_method(method.name, {}).has_form() ||
+         polynomial_degree(formula->expression).degree;
 }
 
 std::string text_of(const std::map<std::string, std::string>& set) {
@@ -56,7 +73,8 @@ std::vector<MethodSetting> method_settings(const ObjectDescription& object, cons
   std::vector<const Method*> methods;
   for (const std::string& name : wishes.wanted) methods.push_back(&find_method(table, name));
   if (wishes.wanted.empty())
-    for (const Method& method : table) methods.push_back(&method);
+    for (const Method& method : table)
+      if (fits(method, object)) methods.push_back(&method);
 
   std::vector<MethodSetting> settings;
   const auto add = [&](const Method& method, const std::map<std::string, std::string>& set, bool swept) {
@@ -72,6 +90,9 @@ std::vector<MethodSetting> method_settings(const ObjectDescription& object, cons
     if (const Knob* knob = knob_of(*method))
       for (const double value : wishes.quick ? knob->quick_values : knob->values)
         add(*method, {{std::string(knob->option), text_of_value(*knob, value)}}, true);
+  for (const Method* method : methods)
+    for (const auto& [option, value] : kSwitches)
+      if (has_option(*method, option)) add(*method, {{option, value}}, true);
   return settings;
 }
 

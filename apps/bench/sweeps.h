@@ -21,7 +21,7 @@ struct MethodSetting {
   bool swept = false;
 };
 
-/// wanted  names of methods; empty: every method for such an object
+/// wanted  names of methods; empty: every method that can be used for the object
 /// set     of all settings; then nothing is swept
 struct SettingWishes {
   std::vector<std::string> wanted;
@@ -30,7 +30,8 @@ struct SettingWishes {
 };
 
 /// Every method once as it is, then each with its own knob at several values: eps-rel from 2^-6 to 2^-24,
-/// step from 2^-5 to 2^-12 of `longest` (the domain's edge), iterations from 1 to 10. Throws InputError for
+/// eps of frustum methods from 2^-6 to 2^-20, step from 2^-5 to 2^-12 of `longest` (the domain's edge),
+/// iterations from 1 to 10; then with the other value of its switches: stop, certify. Throws InputError for
 /// methods and options that there are not.
 [[nodiscard]] std::vector<MethodSetting> method_settings(const ObjectDescription& object,
                                                          const SettingWishes& wishes, double longest);

@@ -3,6 +3,7 @@
 #include <isocast/apps/bench/claims.h>
 #include <isocast/apps/bench/paper_rows.h>
 #include <isocast/apps/bench/papers.h>
+#include <isocast/apps/bench/papers_reimers_form.h>
 #include <isocast/apps/bench/picture_reference.h>
 #include <isocast/apps/bench/report.h>
 #include <isocast/apps/bench/volume_chords.h>
@@ -100,9 +101,9 @@ TEST_CASE("the papers, from end to end") {
     }
   }
   CHECK(tables == std::set<std::string>{"Figure 1", "T-GAN-1", "T-GAN-2", "T-KNO-1", "T-KNO-2", "T-MAR-1",
-                                        "T-MAR-2", "T-MAR-3", "T-MAR-4", "T-SIN-1", "T-SIN-2", "T-SIN-3",
-                                        "T-SIN-4"});
-  CHECK(claims.size() == 14 + 23 + 21 + 1 + 9);
+                                        "T-MAR-2", "T-MAR-3", "T-MAR-4", "T-REI-1", "T-REI-2", "T-REI-3",
+                                        "T-SIN-1", "T-SIN-2", "T-SIN-3", "T-SIN-4"});
+  CHECK(claims.size() == 14 + 23 + 21 + 20 + 9);
 
   // what does not depend on times
   const auto outcome = [&](std::size_t paper, const char* id) {
@@ -115,10 +116,40 @@ TEST_CASE("the papers, from end to end") {
     CHECK(outcome(2, id) == Outcome::reproduced);
   for (const char* id : {"R-GAN-4", "R-GAN-7", "R-GAN-8"}) CHECK(outcome(4, id) == Outcome::reproduced);
 
+  for (const char* id : {"R-REI-1", "R-REI-2", "R-REI-10", "R-REI-15", "R-REI-16", "R-REI-20"})
+    CHECK(outcome(3, id) == Outcome::reproduced);
+
   CHECK_THAT(papers_summary(report.papers), Catch::Contains("R-MAR-2       reproduced"));
   const std::string html = html_of(report);
   CHECK(test::is_well_formed(html));
   CHECK_THAT(html, Catch::Contains("5 papers") && Catch::Contains("T-KNO-1: Frames"));
+}
+
+TEST_CASE("coefficients of the whole form: those of a plane are its values at the corners") {
+  const FormulaSource plane{parse_expression("x+2*y-3*z+0.5"), {}};
+  const Box box{{-1, -1, -1}, {1, 1, 1}};
+  const View view(frame(box, {}, 2), 64, 32);
+  const DepthRange depths = depths_of(view, box);
+  CHECK(depths.near > 0);
+  const PixelLines lines = view.lines();
+  double largest = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const double u = corner & 1 ? 64 : 0, v = corner & 2 ? 32 : 0, s = corner & 4 ? depths.near : depths.far;
+    Double3 p;
+    for (int a = 0; a < 3; ++a)
+      p[a] = lines.o[a] + u * lines.o_u[a] + v * lines.o_v[a] +
+             s * (lines.d[a] + u * lines.d_u[a] + v * lines.d_v[a]);
+    largest = std::max(largest, std::abs(p[0] + 2 * p[1] - 3 * p[2] + 0.5));
+  }
+  for (const int degree : {1, 3, 10})
+    CHECK(largest_coefficient(plane, degree, view, depths) == Approx(largest));
+}
+
+TEST_CASE("nodes of collocation: condition numbers that are known") {
+  CHECK(collocation_condition(1, Nodes::even) == Approx(1));
+  CHECK(collocation_condition(1, Nodes::chebyshev) == Approx(std::sqrt(2)));
+  CHECK(collocation_condition(1, Nodes::even_inside) == Approx(2));
+  CHECK(collocation_condition(12, Nodes::even) > 1.5 * collocation_condition(12, Nodes::chebyshev));
 }
 
 TEST_CASE("what the text of a paper holds is escaped") {

@@ -164,6 +164,13 @@ TEST_CASE("each method is run as it is, and swept along its own knob") {
   CHECK(texts("affine").front().empty());
   CHECK(texts("affine")[1] == "eps-rel=0.015625");
   CHECK(texts("amp-sign")[1] == "step=0.25");
+  CHECK(texts("frustum-lr").size() == 11);
+  CHECK(texts("frustum-lr")[1] == "eps=0.015625");
+  CHECK(texts("frustum-lr").back() == "certify=0");
+  PictureCase wave = formula;
+  wave.scene.object.source = FormulaSource{parse_expression("sin(x)+y"), {}};
+  for (const MethodSetting& setting : method_settings(wave.scene.object, {}, 2))
+    CHECK_THAT(setting.method, !Catch::StartsWith("frustum"));  // sin is no polynomial
   PictureCase volume;
   volume.scene.object.source = VolumeSource{};
   const auto marmitt = method_settings(volume.scene.object, {.wanted = {"marmitt"}, .set = {}}, 1);
