@@ -24,7 +24,9 @@ struct Vector {
 Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 Vector operator*(double k, Vector a) { return {k * a.x, k * a.y, k * a.z}; }
-Vector cross(Vector a, Vector b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+Vector cross(Vector a, Vector b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 Vector unit(Vector a) { return (1 / std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z)) * a; }
 
 // A camera with z upwards; pixel (0, 0) is on top to the left.
@@ -96,8 +98,10 @@ int main(int argc, char** argv) {
   RTCDevice device = rtcNewDevice("threads=1");
   RTCScene scene = rtcNewScene(device);
   RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  void* vertices = rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, std::size_t(counts[0]));
-  void* indices = rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, std::size_t(counts[1]));
+  void* vertices =
+      rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, std::size_t(counts[0]));
+  void* indices =
+      rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, std::size_t(counts[1]));
   if (std::fread(vertices, 12, std::size_t(counts[0]), file) != std::size_t(counts[0]) ||
       std::fread(indices, 12, std::size_t(counts[1]), file) != std::size_t(counts[1]))
     return 2;
@@ -108,7 +112,8 @@ int main(int argc, char** argv) {
   const double tree = ms_since(start);
 
   std::vector<float> picture(4 * std::size_t(size) * std::size_t(size));
-  const Camera view = camera({numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}, numbers[6], size);
+  const Camera view =
+      camera({numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}, numbers[6], size);
   double least = INFINITY;
   long hits = 0;
   for (int i = 0; i < repeats; ++i) {
