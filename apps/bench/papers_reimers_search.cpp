@@ -60,7 +60,7 @@ SearchNumbers SearchJudge::numbers(const Surface& surface, const std::vector<Hit
     const HitStream &found = hits[s], &right = reference_[s];
     const bool hit = is_hit(found, i), expected = is_hit(right, i), edge = edges_[rays_[s].id[i]];
     if (right.cost[i] > 0) ++searched, sums.steps += found.cost[i];
-    if (edge) ++edges, sums.steps_edges += found.cost[i];
+    if (edge && right.cost[i] > 0) ++edges, sums.steps_edges += found.cost[i];
     if (expected && !edge) ++inside, sums.steps_inside += found.cost[i];
     if ((hit || expected) && in_part(s, i, expected ? right.t[i] : found.t[i]))
       sums.part_hits += expected, sums.part_wrong += hit != expected;

@@ -13,7 +13,9 @@ namespace isocast::bench {
 ///
 /// steps         a ray, of rays that the reference needs a step for
 /// steps_inside  a ray that hits away from edges
-/// steps_edges   a ray at an edge: a neighbour hits where it does not, or 1/50 of the depths away
+/// steps_edges   the same as steps of rays at an edge: a neighbour hits where it does not, or 1/50 of the
+/// depths
+///               away
 /// value_*       |f| at hits over the largest coefficient of the whole form: mean, largest
 /// depth_*       difference in depth where both hit, 1 from the nearest to the farthest point of the domain
 /// other_roots   rays where that is more than 0.01

@@ -17,12 +17,13 @@ inline constexpr const char* kReimersNotes[] = {
     "2007, so only ratios compare. Its cameras are not printed; the default camera looks here.",
     "isocast makes a form for each block of some tiles and divides it down to tiles, where the paper makes "
     "one "
-    "for the whole frustum, and cuts each ray to the domain: searches start closer to the root, and steps "
+    "for the whole frustum, and cuts each ray to the domain: searches begin on shorter pieces than the "
+    "paper's. "
+    "eps is a share of a block's depth. One subdivision at a point counts as d knots, as in the paper; knots "
     "are "
-    "fewer by the same factor for all finders. eps is a share of a block's depth. One subdivision at a point "
-    "counts as d knots, as in the paper; steps are means over all rays that MR, in double at 1e-8, needs a "
-    "step "
-    "for.",
+    "means over all rays that MR, in double at 1e-8, needs a step for. MR's density asks for d - 1 knots "
+    "near "
+    "the root, so that squaring eps takes about that many more: R-REI-2 counts them in such rounds.",
     "Errors of T-REI-2 are differences in depth, with 0 at the near and 1 at the far end of the domain, to "
     "MR "
     "in double at eps 1e-8, as in the paper. Rays that fail are counted against the exact reference, on one "

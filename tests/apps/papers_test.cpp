@@ -4,6 +4,7 @@
 #include <isocast/apps/bench/paper_rows.h>
 #include <isocast/apps/bench/papers.h>
 #include <isocast/apps/bench/papers_reimers_form.h>
+#include <isocast/apps/bench/papers_reimers_picture.h>
 #include <isocast/apps/bench/picture_reference.h>
 #include <isocast/apps/bench/report.h>
 #include <isocast/apps/bench/volume_chords.h>
@@ -150,6 +151,39 @@ TEST_CASE("nodes of collocation: condition numbers that are known") {
   CHECK(collocation_condition(1, Nodes::chebyshev) == Approx(std::sqrt(2)));
   CHECK(collocation_condition(1, Nodes::even_inside) == Approx(2));
   CHECK(collocation_condition(12, Nodes::even) > 1.5 * collocation_condition(12, Nodes::chebyshev));
+}
+
+TEST_CASE("a ball through root finders: steps, errors, edges, times") {
+  PictureCase picture = paper_surface("sphere", 256);
+  picture.scene.object.source = FormulaSource{parse_expression("x^2+y^2+z^2-0.5"), {}};
+  ReimersWishes wishes{{{finder("frustum-lr")}, {finder("frustum-schneider"), true}}, {}, 1, {}};
+  wishes.part = {{-2, -2, 0}, {2, 2, 2}};
+  const ReimersFindings found = run_finders(picture, wishes);
+  REQUIRE(found.results.size() == 3);
+  CHECK(found.results[0].row.method == "frustum-mr");
+  CHECK(found.results[0].search.depth_max == 0);
+  for (const FinderResult& one : found.results) {
+    INFO(one.row.method << " " << one.row.precision);
+    CHECK(one.row.rays == 256 * 256);
+    CHECK(one.row.undecided_reference == 256 * 256 - (256 * 256 + 60) / 61);
+    CHECK(one.row.failures() == 0);
+    CHECK(one.row.t_error_max < 1e-3);
+    CHECK(one.row.seconds > 0);
+    CHECK(one.search.steps > 0.5);
+    CHECK(one.search.depth_max < 2e-3);
+    CHECK(one.search.value_mean < 1e-3);
+    CHECK(one.search.other_roots == 0);
+    CHECK(one.search.part_wrong <= 2);
+    CHECK(one.search.part_hits > 5000);
+    CHECK(one.search.part_hits < found.shading.hits);
+  }
+  CHECK(found.results[1].search.depth_mean > 0);
+  CHECK(found.results[2].search.steps > found.results[1].search.steps);
+  const ShadingNumbers& shading = found.shading;
+  CHECK(shading.angle > 0);
+  CHECK(shading.angle < 2);
+  for (const double seconds : {shading.gradients, shading.neighbours, shading.frame, shading.silhouettes})
+    CHECK(seconds > 0);
 }
 
 TEST_CASE("what the text of a paper holds is escaped") {
