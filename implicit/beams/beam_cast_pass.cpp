@@ -1,6 +1,7 @@
 #include <isocast/implicit/beams/beam_cast_pass.h>
 #include <isocast/isa/cpu.h>
 #include <isocast/math/rounding.h>
+#include <isocast/render/camera.h>
 
 #include <algorithm>
 #include <memory>
@@ -28,9 +29,12 @@ void BeamCastPass<T>::first_hits(int bx, int by, double offset_u, double offset_
     for (int i = 0; i < kStreamSize; ++i) found.cost[i] += cells->level[first + i];
     const T* const lo = roots.lo + first;
     if (std::none_of(lo, lo + kStreamSize, [](T depth) { return depth < kInfinity<T>; })) continue;
+    // beams are cut to the domain face by face: they may pass by its edges
+    const int tx = bx * kBlockTiles + x, ty = by * kBlockTiles + y;
+    if (!this->inputs_.surface.narrow(this->view_.frustum(tx, ty))) continue;
     kernels.guess(this->query_, rays, tile, roots, registers);
     kernels.write(this->query_, rays, roots, tile, this->inputs_.object, Certificate::undecided, found);
-    this->note_components(bx * kBlockTiles + x, by * kBlockTiles + y, offset_u, offset_v, found);
+    this->note_components(tx, ty, offset_u, offset_v, found);
   }
 }
 
