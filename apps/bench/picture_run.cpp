@@ -35,7 +35,9 @@ double longest_edge(const Box& box) { return std::ranges::max(box.hi - box.lo); 
 class Bench {
  public:
   Bench(const PictureCase& picture, const PictureOptions& options)
-      : options_(options), built_(build_scene(automatic(picture.scene), {})) {
+      : options_(options),
+        built_(build_scene(automatic(picture.scene), {})),
+        view_(view_of(picture, surface().bounds())) {
     result_.picture = picture;
     rays_ = primary_rays(picture, surface().bounds());
     hits_.resize(rays_.size());
@@ -44,7 +46,7 @@ class Bench {
     result_.iso = built_.iso;
     result_.truth = solve_picture(picture.scene, built_, rays_, options.cache);
     use(built_.method, {}, {widest_isa(), true});
-    trace(surface(), rays_, hits_);
+    trace_picture(surface(), view_, rays_, hits_);
     add_normals(result_.truth, surface(), rays_, hits_);
     result_.right = picture_of_truth(result_.truth, rays_, picture.width);
   }
@@ -82,7 +84,7 @@ class Bench {
   void add_rows(const MethodSetting& setting, const std::string& precision) {
     const bool precise = precision == "double";
     use(setting.method, setting.set, {widest_isa(), precise});
-    trace(surface(), rays_, hits_);
+    trace_picture(surface(), view_, rays_, hits_);
     std::vector<PixelAnswer> answers = judge_picture(result_.truth, surface(), rays_, hits_);
     Row row;
     row.suite = result_.picture.suite;
@@ -102,8 +104,8 @@ class Bench {
   }
 
   void time_rows() {
-    const std::vector<std::function<void()>> candidates(ways_.size(),
-                                                        [this] { trace(surface(), rays_, hits_); });
+    const std::vector<std::function<void()>> candidates(
+        ways_.size(), [this] { trace_picture(surface(), view_, rays_, hits_); });
     const auto prepare = [this](std::size_t i) {
       use(ways_[i].setting->method, ways_[i].setting->set, ways_[i].evaluation);
     };
@@ -114,6 +116,7 @@ class Bench {
 
   const PictureOptions& options_;
   BuiltScene built_;
+  View view_;
   std::vector<RayStream> rays_;
   std::vector<HitStream> hits_;
   std::vector<Way> ways_;

@@ -3,7 +3,7 @@
 #include <isocast/apps/bench/picture_reference.h>
 #include <isocast/apps/bench/stress_run.h>
 #include <isocast/apps/bench/timing.h>
-#include <isocast/implicit/methods.h>
+#include <isocast/apps/scene_build/applicable_methods.h>
 #include <isocast/volume/methods.h>
 
 #include <algorithm>
@@ -84,8 +84,7 @@ StressResult run_stress(const StressCase& stress, const StressOptions& options) 
       solve_picture(stress.scene, built, rays, options.cache, {.max_operations = kMostOperations});
   truth.normals.resize(truth.rays.size());
 
-  const bool volume = std::holds_alternative<VolumeSource>(stress.scene.object.source);
-  for (const Method& method : volume ? volume_methods() : formula_methods())
+  for (const Method& method : applicable_methods(stress.scene.object, MethodWish::own_answers))
     for (const char* precision : {"float", "double"}) {
       StressAnswer& answer =
           result.answers.emplace_back(new_answer(result.name, method, precision, options.isa));

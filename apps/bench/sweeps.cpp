@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <isocast/apps/bench/sweeps.h>
-#include <isocast/implicit/expression/degree.h>
+#include <isocast/apps/scene_build/applicable_methods.h>
 #include <isocast/implicit/methods.h>
 #include <isocast/volume/methods.h>
 
@@ -51,13 +51,6 @@ const Knob* knob_of(const Method& method) {
   return found == knobs().end() ? nullptr : &*found;
 }
 
-// Whether a method can be used for an object whose f is of its kind: forms are of polynomials alone.
-bool fits(const Method& method, const ObjectDescription& object) {
-  const auto* const formula = std::get_if<FormulaSource>(&object.source);
-  return !formula || !choose_formula_method(method.name, {}).has_form() ||
-         polynomial_degree(formula->expression).degree;
-}
-
 std::string text_of(const std::map<std::string, std::string>& set) {
   std::vector<std::string> words;
   for (const auto& [key, value] : set) words.push_back(key + "=" + value);
@@ -70,11 +63,11 @@ std::vector<MethodSetting> method_settings(const ObjectDescription& object, cons
                                            double longest) {
   const bool volume = std::holds_alternative<VolumeSource>(object.source);
   const std::span<const Method> table = volume ? volume_methods() : formula_methods();
+  const std::vector<Method> applicable = applicable_methods(object);
   std::vector<const Method*> methods;
   for (const std::string& name : wishes.wanted) methods.push_back(&find_method(table, name));
   if (wishes.wanted.empty())
-    for (const Method& method : table)
-      if (fits(method, object)) methods.push_back(&method);
+    for (const Method& method : applicable) methods.push_back(&method);
 
   std::vector<MethodSetting> settings;
   const auto add = [&](const Method& method, const std::map<std::string, std::string>& set, bool swept) {

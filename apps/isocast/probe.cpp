@@ -4,6 +4,7 @@
 #include <isocast/apps/isocast/probe_ray.h>
 #include <isocast/apps/isocast/scene_options.h>
 #include <isocast/apps/isocast/verbs.h>
+#include <isocast/apps/scene_build/applicable_methods.h>
 #include <isocast/base/error.h>
 #include <isocast/base/mapped_file.h>
 
@@ -38,10 +39,8 @@ std::vector<ProbeMethod> methods_of(const ObjectDescription& object) {
   if (object.method != "auto") return {{object.method, object.settings}};
   if (!object.settings.empty())
     throw InputError("found --set without --method, expected the method that it is for");
-  const bool volume = std::holds_alternative<VolumeSource>(object.source);
   std::vector<ProbeMethod> methods;
-  for (const Method& method : volume ? volume_methods() : formula_methods())
-    methods.push_back({std::string(method.name), {}});
+  for (const Method& method : applicable_methods(object)) methods.push_back({std::string(method.name), {}});
   return methods;
 }
 

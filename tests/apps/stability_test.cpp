@@ -2,6 +2,7 @@
 // answers otherwise than another.
 #include <isocast/apps/bench/stability.h>
 #include <isocast/apps/bench/stability_report.h>
+#include <isocast/apps/scene_build/applicable_methods.h>
 #include <isocast/implicit/methods.h>
 #include <isocast/volume/methods.h>
 #include <temporary_folder.h>
@@ -118,8 +119,7 @@ TEST_CASE("hostile numbers: the same bits on every instruction set", "[property]
     BuiltScene built = build_scene(stress.scene, {});
     const Surface& surface = *built.scene.objects.front().surface;
     const std::vector<RayStream> rays = stress.rays(surface.bounds(), static_cast<int>(test::cases(4, 24)));
-    const bool volume = std::holds_alternative<VolumeSource>(stress.scene.object.source);
-    for (const Method& method : volume ? volume_methods() : formula_methods())
+    for (const Method& method : applicable_methods(stress.scene.object, MethodWish::own_answers))
       for (const bool precise : {false, true}) {
         INFO(method.name << (precise ? " double" : " float"));
         std::vector<std::byte> expected;
