@@ -15,7 +15,8 @@ namespace isocast::bench {
 /// roots; proved_hit and proved_miss: certificates.
 enum class Counted { wrong, undecided, proved_hit, proved_miss };
 
-/// Stands for all methods that prove hits and misses.
+/// Stands for all methods that prove hits and misses by inclusions of f. Those on forms leave open what is badly
+/// conditioned as a polynomial of its ray; their proofs are held against the truth as all others are.
 inline constexpr std::string_view kProving = "proving";
 
 /// Between `least` and `most` per cent. Empty names stand for all methods and both precisions. Of every case

@@ -283,7 +283,8 @@ template <class T, class C> class FrustumBlock {
   void fill(RowPolynomials<S>& row, const FrustumPart& part, int iso, const C (&c)[kMostFormDegree + 1][kRow],
             const bool* active, const double* eps) const {
     row.degree = shape_.along;
-    row.margin = margin_of_rays_ + double(kUnitRoundoff<C>) * 2 * abs(query_.iso[iso] * scale_);
+    const S margin =
+        S((margin_of_rays_ + double(kUnitRoundoff<C>) * 2 * abs(query_.iso[iso] * scale_)) * 1.0001);
     row.proves = query_.check_points != nullptr;
     const C level = C(query_.iso[iso] * scale_);
     for (int k = 0; k <= row.degree; ++k)
@@ -294,6 +295,7 @@ template <class T, class C> class FrustumBlock {
     };
     for (int x = 0; x < kRow; ++x) {
       row.active[x] = active[x];
+      row.margin[x] = margin;
       row.eps[x] = S(eps[x]);
       row.before[x] = sign(part.before, !begins_[x]);
       row.behind[x] = sign(part.behind, !ends_[x]);

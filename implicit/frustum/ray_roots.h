@@ -90,18 +90,17 @@ template <class T> class RayForms {
     RowPolynomials<T> row;
     row.degree = query_.table.degree;
     row.proves = query_.exact;
-    double scale[kRow], most = 0;
+    double scale[kRow];
     for (int x = 0; x < kRow; ++x) {
       scale[x] = sizeof(T) == 4 ? inverse_power_of_two(size_[x] + abs(query_.iso[iso])) : 1.0;
       if (!active_[x]) scale[x] = 0;
-      most = max(scale[x] * off_[x], most);
       const int i = first_ + x;
       row.active[x] = active_[x];
+      row.margin[x] = active_[x] ? T(1.0001 * scale[x] * off_[x]) : T(0);
       row.eps[x] = T(query_.finder.eps);
       row.before[x] = !active_[x] || !rays_.carried[i] ? 0 : rays_.sides[i] >> iso & 1 ? -1 : 1;
       row.behind[x] = 0;
     }
-    row.margin = most;
     for (int k = 0; k <= row.degree; ++k)
       for (int x = 0; x < kRow; ++x)
         row.c[k][x] = active_[x] ? T((c_[k][x] - query_.iso[iso]) * scale[x]) : T(1);

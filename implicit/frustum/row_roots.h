@@ -26,7 +26,7 @@ inline FirstRoot<R> find_first(const Bezier<R>& p, const FinderOptions& options,
 
 /// Polynomials f - iso of kRow rays over [0, 1] each, scaled by any power of two.
 ///
-/// c         [k][ray]: Bernstein coefficients, of which each is off by at most `margin`
+/// c         [k][ray]: Bernstein coefficients, of which each is off by at most the ray's `margin`
 /// eps       in [0, 1]
 /// active    the ray is there
 /// before    the sign in front of 0: 1 for f >= iso, -1 for f < iso, 0 unknown; behind: that behind 1
@@ -37,7 +37,7 @@ template <class T> struct RowPolynomials {
   T eps[kRow];
   bool active[kRow];
   signed char before[kRow], behind[kRow];
-  double margin;
+  T margin[kRow];
   bool proves;
 };
 
@@ -74,7 +74,8 @@ inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& 
     for (int k = 1; k <= row.degree; ++k) p.c[k] = load<R>(row.c[k] + first);
     const R size = p.largest(), eps = load<R>(row.eps + first);
     // what dividing it and evaluating it round
-    const R margin = R(T(row.margin)) * R(T(1.0001)) + R(T(11 * row.degree + 8) * kUnitRoundoff<T>) * size;
+    const R margin =
+        load<R>(row.margin + first) * R(T(1.0001)) + R(T(11 * row.degree + 8) * kUnitRoundoff<T>) * size;
     const Mask<R> active = lanes_where<R>(all);
     const Mask<R> start = negative(p.c[0]);
     FirstRoot<R> found = find_first(p, options, eps, active);

@@ -146,7 +146,7 @@ TEST_CASE("what is proved of a polynomial is true, and its bracket holds the roo
     const Bezier<double> exact = product(roots, 1 + static_cast<int>(random() % 3), random);
     const double margin = std::pow(10.0, -2 - 10 * unit(random)) * exact.largest();
     RowPolynomials<double> row = {};
-    row.degree = exact.degree, row.margin = margin, row.proves = true;
+    row.degree = exact.degree, row.margin[0] = margin, row.proves = true;
     bool wanted[kRow] = {true};
     row.active[0] = true;
     row.eps[0] = 1e-4;
