@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/implicit/beams/box_range.h>
+#include <isocast/implicit/solve/slots.h>
 
 namespace isocast::inline ISO_ISA {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/implicit/frustum/patch.h>
+#include <isocast/implicit/frustum/ray_query.h>
 #include <isocast/implicit/frustum/row_roots.h>
 
 namespace isocast::inline ISO_ISA {
