@@ -15,7 +15,7 @@ namespace isocast {
 
 ImplicitSurface::ImplicitSurface(const Expression& expression, const Domain& domain,
                                  const ImplicitSurfaceOptions& options)
-    : tape_(make_tape(simplify(expression))), degree_(polynomial_degree(expression)) {
+    : tape_(make_tape(simplify(expression))) {
   if (options.components) components_.emplace(expression);
   for (int a = 0; a < 3; ++a) {
     bounds_.lo[a] = domain.lo[a];
@@ -70,11 +70,12 @@ void ImplicitSurface::prepare_frustum() {
   frustum_ = nullptr;
   const FormulaMethodChoice& method = options_.method;
   if (!method.has_form()) return;
-  if (!degree_.degree)
+  const PolynomialDegree degree = polynomial_degree(tape_);
+  if (!degree.degree)
     throw InputError(fmt::format("--method {} needs a polynomial in x, y and z, and the formula is {}",
-                                 name_of(method), degree_.reason));
+                                 name_of(method), degree.reason));
   FrustumOptions options;
-  options.degree = *degree_.degree;
+  options.degree = *degree.degree;
   options.iso = options_.iso;
   options.time = options_.time;
   options.finder = method.finder;

@@ -86,7 +86,6 @@ class ImplicitSurface final : public Surface {
   FormulaQuery<double> double_query_ = {};
   PruningPlan pruning_;
   double eps_ = 0, shadow_eps_ = 0;
-  PolynomialDegree degree_;
   std::shared_ptr<const FrustumTracer> frustum_;  // of frustum methods
 };
 

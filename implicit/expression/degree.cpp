@@ -47,59 +47,49 @@ const char* name_of(Op op) {
   return names[static_cast<std::size_t>(op)];
 }
 
-// The degree of a node from those of its operands; nothing where it is no polynomial.
-std::optional<std::int64_t> degree_of(const Node& node, const std::vector<std::int64_t>& of) {
-  const std::int64_t a = of[node.a], b = of[node.b];
-  switch (node.op) {
+// The degree of a result from those in the registers; nothing where it is no polynomial.
+std::optional<std::int64_t> degree_of(const Instruction& i, const std::vector<std::int64_t>& of) {
+  const int operands = operand_count(i.op);
+  const std::int64_t a = operands > 0 ? of[i.a] : 0, b = operands > 1 ? of[i.b] : 0,
+                     c = operands > 2 ? of[i.c] : 0;
+  switch (i.op) {
     case Op::constant: return 0;
-    case Op::variable: return node.a < 3 ? 1 : 0;
+    case Op::variable: return i.a < 3 ? 1 : 0;
     case Op::negate: return a;
     case Op::square: return 2 * a;
     case Op::add:
     case Op::subtract: return std::max(a, b);
     case Op::multiply: return a + b;
-    case Op::chebyshev: return node.n * a;
+    case Op::chebyshev: return i.n * a;
     case Op::power:
-      if (node.n >= 0 || a == 0) return std::max(0, node.n) * a;
+      if (i.n >= 0 || a == 0) return std::max(0, i.n) * a;
       return std::nullopt;
     case Op::divide:
       if (b == 0) return a;
       return std::nullopt;
-    default: {
-      const int operands = operand_count(node.op);
-      const std::int64_t most = std::max({a, operands > 1 ? b : 0, operands > 2 ? of[node.c] : 0});
-      if (most == 0) return 0;
+    default:
+      if (std::max({a, b, c}) == 0) return 0;
       return std::nullopt;
-    }
   }
 }
 
 }  // namespace
 
-PolynomialDegree polynomial_degree(const Expression& as_written) {
-  const Expression expression = simplify(as_written);
-  // operands come first; what the root does not need does not count
-  const std::vector<Node>& nodes = expression.nodes();
-  std::vector<bool> needed(nodes.size(), false);
-  needed[expression.root()] = true;
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    if (!needed[i]) continue;
-    const int operands = operand_count(nodes[i].op);
-    if (operands > 0) needed[nodes[i].a] = true;
-    if (operands > 1) needed[nodes[i].b] = true;
-    if (operands > 2) needed[nodes[i].c] = true;
-  }
-  std::vector<std::int64_t> of(nodes.size(), 0);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!needed[i]) continue;
-    const auto degree = degree_of(nodes[i], of);
-    if (!degree) return {std::nullopt, fmt::format("not a polynomial because of {}", name_of(nodes[i].op))};
+PolynomialDegree polynomial_degree(const Tape& tape) {
+  std::vector<std::int64_t> of(tape.registers, 0);
+  for (const Instruction& i : tape.code) {
+    const auto degree = degree_of(i, of);
+    if (!degree) return {std::nullopt, fmt::format("not a polynomial because of {}", name_of(i.op))};
     if (*degree > kMostPolynomialDegree)
       return {std::nullopt, fmt::format("not treated as a polynomial because its degree may be above {}",
                                         kMostPolynomialDegree)};
-    of[i] = *degree;
+    of[i.out] = *degree;
   }
-  return {static_cast<int>(of[expression.root()]), {}};
+  return {static_cast<int>(of[tape.result]), {}};
+}
+
+PolynomialDegree polynomial_degree(const Expression& expression) {
+  return polynomial_degree(make_tape(simplify(expression)));
 }
 
 }  // namespace isocast

@@ -1,7 +1,7 @@
 // Whether a formula is a polynomial in x, y and z, and of which degree.
 #pragma once
 
-#include <isocast/implicit/expression/expression.h>
+#include <isocast/implicit/expression/tape.h>
 
 #include <optional>
 #include <string>
@@ -20,6 +20,7 @@ struct PolynomialDegree {
 
 /// With time and parameters fixed. An operation on numbers alone is a number, whatever it is, as long as it
 /// is defined.
+[[nodiscard]] PolynomialDegree polynomial_degree(const Tape& tape);
 [[nodiscard]] PolynomialDegree polynomial_degree(const Expression& expression);
 
 }  // namespace isocast

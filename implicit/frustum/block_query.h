@@ -47,10 +47,8 @@ struct FrustumQuery {
   double lo[3], hi[3];
 };
 
-enum class RootState : std::uint8_t { none, proved, undecided };
-
-/// Roots of a tile's rays in View::fill's order: depth s with its bracket. state: none is a proved miss where
-/// the query proves and `hit` is not set.
+/// Roots of a tile's rays in View::fill's order: depth s with its bracket. proved: the hit, or where `hit` is
+/// not set that there is none.
 struct TileRoots {
   double s[kStreamSize], lo[kStreamSize], hi[kStreamSize];
   std::uint32_t sides[kStreamSize];

@@ -51,8 +51,7 @@ inline FirstRoot<R> find_by_clipping(const Bezier<R>& whole, const FinderOptions
     active = active & !stops;
     if (!any(active)) break;
     if (step == most) {
-      root.open = root.open | active;
-      root.settle(active, x);
+      root.give_up(active, x);
       break;
     }
     const R share = clamp01(max(entry, short_step / max(left, short_step)));

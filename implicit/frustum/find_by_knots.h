@@ -84,8 +84,7 @@ inline FirstRoot<R> find_by_knots(const Bezier<R>& whole, const FinderOptions& o
     active = active & !stops;
     if (!any(active)) break;
     if (step == most) {
-      root.open = root.open | active;
-      root.settle(active, x);
+      root.give_up(active, x);
       break;
     }
     if constexpr (kFinder == RootFinder::mr_mult) {

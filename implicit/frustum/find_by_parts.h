@@ -107,8 +107,7 @@ inline FirstRoot<R> find_by_parts(const Bezier<R>& whole, const FinderOptions& o
       continue;
     }
     if (step == options.most) {
-      root.open = root.open | active;
-      root.settle(active, piece.from + (piece.to - piece.from) * zero.s);
+      root.give_up(active, piece.from + (piece.to - piece.from) * zero.s);
       break;
     }
     const R length = piece.to - piece.from;

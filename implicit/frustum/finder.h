@@ -38,6 +38,10 @@ template <Real R> struct FirstRoot {
     s = select(lanes, at, s);
     hit = hit | lanes;
   }
+  void give_up(Mask<R> lanes, R at) {
+    open = open | lanes;
+    settle(lanes, at);
+  }
 };
 
 /// Newton's step at a root of multiplicity m is m times too short: what to multiply it by, from a value and

@@ -160,10 +160,10 @@ void FrustumPass::first_hits(int bx, int by, double offset_u, double offset_v, B
       query.s0 = depths->near, query.s1 = depths->far;
       if (options_.proves)
         query.rounding = rounding_bound(tape_, box_of(query), options_.time, position_slack_);
-      const Receiver receiver{lines_, options_, hits, query.u0, query.v0, offset_u, offset_v, x, y};
+      Receiver receiver{lines_, options_, hits, query.u0, query.v0, offset_u, offset_v, x, y};
       kernels.solve_block[static_cast<int>(options_.precision)](
           query, scratch_of(frustum_scratch(query)), registers_of(tape_.registers * kernels.register_bytes),
-          work, const_cast<Receiver*>(&receiver), [](void* context, int tx, int ty, const TileRoots& roots) {
+          work, &receiver, [](void* context, int tx, int ty, const TileRoots& roots) {
             static_cast<const Receiver*>(context)->take(tx, ty, roots);
           });
     }

@@ -14,10 +14,16 @@ namespace {
 // Parts of a ray that a form of the largest degree follows closely.
 int parts_of(int degree) { return degree <= kMostFormDegree ? 1 : (degree + 7) / 8; }
 
+// Of the rays' own polynomials.
+int ray_degree(int degree) { return std::clamp(degree, 1, kMostFormDegree); }
+
 }  // namespace
 
 FrustumTracer::FrustumTracer(const Tape& tape, const Box& domain, const FrustumOptions& options)
-    : tape_(tape), domain_(domain), options_(options) {
+    : tape_(tape),
+      domain_(domain),
+      options_(options),
+      ray_tables_(ray_degree(options.degree), ray_degree(options.degree)) {
   options_.degree = std::max(1, options_.degree);
 }
 
@@ -29,14 +35,13 @@ std::unique_ptr<PrimaryPass> FrustumTracer::primary(const View& view) const {
 }
 
 void FrustumTracer::trace(bool next, const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
-  const int degree = std::min(options_.degree, kMostFormDegree), parts = parts_of(options_.degree);
-  const DegreeMatrices tables(degree, degree);
+  const int degree = ray_degree(options_.degree), parts = parts_of(options_.degree);
   RayFormQuery query = {};
   query.tape = tape_.view();
   query.time = options_.time;
   query.iso_count = static_cast<int>(options_.iso.size());
   std::copy(options_.iso.begin(), options_.iso.end(), query.iso);
-  query.table = tables.view();
+  query.table = ray_tables_.view();
   query.lebesgue = collocation(degree).lebesgue;
   query.slack = 0x1p-50;
   query.exact = options_.proves && parts == 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/implicit/expression/tape.h>
+#include <isocast/implicit/frustum/degree_tables.h>
 #include <isocast/implicit/frustum/kernels.h>
 #include <isocast/isa/cpu.h>
 #include <isocast/math/box.h>
@@ -48,6 +49,7 @@ class FrustumTracer {
   Tape tape_;
   Box domain_;
   FrustumOptions options_;
+  DegreeMatrices ray_tables_;
 };
 
 }  // namespace isocast

@@ -44,6 +44,9 @@ class PrimaryPass {
  public:
   virtual ~PrimaryPass() = default;
 
+  /// Whether HitStream::cost is written for the rays of open tiles.
+  [[nodiscard]] virtual bool tells_cost() const { return true; }
+
   /// For every primary ray of block (bx, by), through (x + offset_u, y + offset_v) of its pixels as in
   /// View::fill, the first hit that is nearer than the one that `hits` holds; other slots keep theirs.
   /// Certificates as in Surface::first_hit.

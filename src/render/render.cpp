@@ -123,9 +123,12 @@ Frame make_frame(const Scene& scene, const View& view, const RenderSettings& set
     frame.first_id.push_back(ids);
     ids += static_cast<int>(object.materials.size());
   }
-  // crossings of several objects wait for their turn, ray by ray; the cost of a ray is that of first_hit
-  if (film.has(Layer::cost) || (frame.features.transparency && scene.objects.size() > 1)) return frame;
-  for (const SceneObject& object : scene.objects) frame.passes.push_back(object.surface->primary(view));
+  // crossings of several objects wait for their turn, ray by ray
+  if (frame.features.transparency && scene.objects.size() > 1) return frame;
+  for (const SceneObject& object : scene.objects) {
+    std::unique_ptr<PrimaryPass>& pass = frame.passes.emplace_back(object.surface->primary(view));
+    if (pass && film.has(Layer::cost) && !pass->tells_cost()) pass.reset();
+  }
   if (std::ranges::none_of(frame.passes, [](const auto& pass) { return pass != nullptr; }))
     frame.passes.clear();
   return frame;

@@ -22,6 +22,8 @@ class VolumePass final : public PrimaryPass {
   VolumePass(const VolumeQuery& query, std::vector<std::shared_ptr<const IsoMasks>> masks, const View& view,
              BricksInView bricks, Isa isa);
 
+  /// The cost of a ray is the walk's work.
+  [[nodiscard]] bool tells_cost() const override { return false; }
   void first_hits(int bx, int by, double offset_u, double offset_v, BlockHits& hits,
                   TraceCounts& counts) const override;
 
