@@ -122,8 +122,8 @@ std::vector<Layer> parse_layers(const RenderWords& words, bool exr) {
 
 SceneDescription describe(const RenderWords& words) {
   SceneDescription scene;
-  ObjectDescription& object = scene.object;
-  object.source = find_source(words);
+  ObjectDescription& object = scene.objects.front();
+  std::visit([&](auto&& source) { object.source = std::move(source); }, find_source(words));
   object.method = words.method;
   for (const std::string& word : words.set) object.settings.insert(parse_key_value(word, "--set"));
   object.materials = describe_materials(words);
