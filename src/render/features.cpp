@@ -17,6 +17,7 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
   Features f;
   f.shade = settings.colors;
   f.shadows = settings.colors && scene.shadows && !scene.lights.empty();
+  f.occlusion = settings.colors ? scene.ambient_occlusion.samples : 0;
   f.transparency = settings.colors && any_material(scene, [](const Material& m) { return m.opacity < 1; });
   if (settings.colors && any_material(scene, [](const Material& m) { return m.reflectivity > 0; }))
     f.reflections = settings.reflections;
@@ -32,9 +33,12 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
   list(!scene.lights.empty(),
        scene.lights.empty() ? "lights" : fmt::format("lights:{}", scene.lights.size()));
   list(f.shadows, "shadows");
+  list(f.occlusion > 0,
+       f.occlusion > 0 ? fmt::format("ambient occlusion:{}", f.occlusion) : "ambient occlusion");
   list(f.transparency,
        f.transparency ? fmt::format("transparency:{}", settings.transparency_depth) : "transparency");
   list(f.reflections > 0, f.reflections > 0 ? fmt::format("reflections:{}", f.reflections) : "reflections");
+  list(settings.filter != PixelFilter::box, "filter");
   list(scene.environment != nullptr, "environment");
   list(f.first_sample.normal, "normals");
   list(f.first_sample.position, "positions");

@@ -33,12 +33,14 @@ struct Frame {
 /// hits    kept elsewhere
 /// slot    the primary ray of the tile that a ray descends from
 /// weight  the share of that ray's colour which it brings
+/// sample  of the pixel, from 0 on
 struct Wave {
   RayStream rays;
   HitStream* hits;
   DressedHits dressed;
   int slot[kStreamSize];
   float weight[kStreamSize];
+  int sample;
 };
 
 inline bool is_ray(const RayStream& rays, int i) { return rays.t_min[i] <= rays.t_max[i]; }

@@ -25,6 +25,7 @@ void Reflections::color(const Frame& frame, const Wave& wave, Shadows& shadows, 
     Wave& to = waves_[bounce % 2];
     to.hits = &hits_[bounce % 2];
     to.rays.size = 0;
+    to.sample = wave.sample;
     shade(frame, *from, shadows, shaded, counts);
     for (int i = 0; i < from->rays.size; ++i) {
       if (!is_hit(*from->hits, i)) continue;

@@ -36,9 +36,18 @@ void shade(const Frame& frame, const Wave& wave, Shadows& shadows, Color (&color
   for (int i = 0; i < wave.rays.size; ++i)
     if (is_hit(*wave.hits, i)) colors[i] = ambient(surface(i));
 
-  const std::size_t lights = std::max<std::size_t>(1, frame.lights.size());
-  const float strength = 1 / static_cast<float>(lights);
+  const bool around = frame.features.occlusion > 0;
+  const std::size_t lights = around ? frame.lights.size() : std::max<std::size_t>(1, frame.lights.size());
+  const float strength = 1 / static_cast<float>(lights + (around ? 1 : 0));
   float visible[kStreamSize];
+  if (around) {
+    shadows.look_around(frame, wave, visible, counts);
+    for (int i = 0; i < wave.rays.size; ++i) {
+      if (!is_hit(*wave.hits, i)) continue;
+      const Color light = lit(surface(i), 1, 0);
+      for (int c = 0; c < 3; ++c) colors[i][c] = visible[i] * (colors[i][c] + strength * light[c]);
+    }
+  }
   std::ranges::fill(visible, 1.0f);
   double facing[kStreamSize], highlight[kStreamSize];
   for (std::size_t l = 0; l < lights; ++l) {

@@ -13,7 +13,8 @@ namespace isocast {
                         const Double3& to_eye);
 
 /// The colour of every hit of a wave, without what it mirrors. n lights have 1/n of the strength each, so
-/// that they never overexpose together; without lights a headlight shines along every ray.
+/// that they never overexpose together; without lights a headlight shines along every ray. Ambient occlusion
+/// is a light from everywhere, and dims the ambient part as well.
 void shade(const Frame& frame, const Wave& wave, Shadows& shadows, Color (&colors)[kStreamSize],
            RenderCounts& counts);
 
