@@ -1,7 +1,7 @@
 # Sourced by demo and check: installs missing packages, configures and builds; quiet unless something fails.
 
 isocast_packages=(g++ cmake ninja-build ccache libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev
-  libsleef-dev libopenimageio-dev libnifti2-dev libopenvdb-dev libnanovdb-dev libblosc-dev libboost-dev libimath-dev libpugixml-dev zlib1g-dev pkg-config catch2 libgmp-dev libmpfr-dev
+  libsleef-dev libembree-dev libopenimageio-dev libnifti2-dev libopenvdb-dev libnanovdb-dev libblosc-dev libboost-dev libimath-dev libpugixml-dev zlib1g-dev pkg-config catch2 libgmp-dev libmpfr-dev
   libflint-dev libflint-arb-dev libeigen3-dev)
 
 # Runs a command; shows what it printed only when it fails.

@@ -2,9 +2,9 @@
 #include <fmt/ranges.h>
 #include <isocast/apps/bench/suites.h>
 #include <isocast/apps/isocast/bench_words.h>
-#include <isocast/apps/isocast/formula_input.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/reference/reference_cache.h>
+#include <isocast/apps/scene_build/formula_input.h>
 #include <isocast/base/error.h>
 
 #include <algorithm>
@@ -41,14 +41,16 @@ PictureCase input_case(const BenchWords& words) {
   PictureCase picture{"input", typed_formula(scene.input), {}, width, height};
   try {
     picture.scene = describe(scene);
+    if (picture.scene.objects.size() > 1)
+      throw InputError(fmt::format("{}: found several objects, expected a scene of one", picture.name));
   } catch (const InputError& error) {
     const bool a_word = std::ranges::all_of(picture.name, [](unsigned char c) { return std::isalpha(c); });
     if (!a_word) throw;
     throw InputError(fmt::format("'{}' is no suite (these are {}), and as a formula: {}", picture.name,
                                  suite_names(), error.what()));
   }
-  if (!scene.iso.empty()) picture.scene.object.iso = parse_numbers(scene.iso, "--iso");
-  if (std::holds_alternative<VolumeSource>(picture.scene.object.source))
+  if (!scene.iso.empty()) picture.scene.objects.front().iso = parse_numbers(scene.iso, "--iso");
+  if (std::holds_alternative<VolumeSource>(picture.scene.objects.front().source))
     picture.name = std::filesystem::path(picture.name).filename().string();
   return picture;
 }

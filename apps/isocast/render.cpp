@@ -43,11 +43,11 @@ void run(const RenderWords& words) {
   const bool exr = extension == ".exr";
   if (!exr && extension != ".png")
     throw InputError(fmt::format("-o {}: expected a name that ends with .png or .exr", words.output));
-  const auto [width, height] = parse_size(words.size);
   const std::vector<Layer> layers = parse_layers(words, exr);
   const std::vector<std::vector<double>> frames = parse_frames(words);
   SceneDescription description = describe(words);
-  description.object.iso = frames.front();
+  const auto [width, height] = size_of(words, description);
+  if (!frames.front().empty()) description.objects.front().iso = frames.front();
   const EvaluationSettings evaluation{isa_from_name(words.isa), words.precision == "double",
                                       words.precision == "mixed"};
   const int threads = words.threads > 0 ? words.threads : oneapi::tbb::info::default_concurrency();
@@ -58,19 +58,20 @@ void run(const RenderWords& words) {
   if (!words.stats.empty() && words.stats != "-") { const OutputFile writable(words.stats); }
 
   BuiltScene built = build_scene(description, evaluation);
-  if (!built.proves && std::ranges::find(layers, Layer::certificate) != layers.end())
+  if (!built.proves() && std::ranges::find(layers, Layer::certificate) != layers.end())
     throw InputError(
         fmt::format("--aov certificate: the method {} proves nothing with these options ('isocast methods' "
                     "says which do)",
-                    built.method));
+                    built.objects.front().method));
   const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
   RenderSettings settings;
-  settings.spp = words.aa == "spp" && words.spp == 1 ? 4 : words.spp;
+  settings.spp = words.spp.value_or(words.aa == "spp" ? 4 : description.wishes.spp.value_or(1));
   settings.silhouettes = words.aa == "silhouette";
-  settings.transparency_depth = words.transparency_depth;
-  settings.reflections = words.reflections;
+  settings.transparency_depth =
+      words.transparency_depth.value_or(description.wishes.transparency_depth.value_or(4));
+  settings.reflections = words.reflections.value_or(description.wishes.reflections.value_or(1));
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (i > 0) built.set_iso(frames[i], description.object.materials);
+    if (i > 0) built.set_iso(0, frames[i], description.objects.front().materials);
     Film film(width, height, layers);
     const Clock::time_point render_start = Clock::now();
     RenderCounts counts;

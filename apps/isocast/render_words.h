@@ -5,6 +5,7 @@
 #include <isocast/render/film.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,13 +13,13 @@ namespace isocast {
 
 /// The command line as it was typed.
 struct RenderWords {
-  std::string input, output, iso, iso_sweep, colors, method = "auto", size = "1024x1024", isa = "auto",
-                                                     precision = "float";
+  std::string input, output, iso, iso_sweep, colors, method = "auto", size, isa = "auto", precision = "float";
   std::string position, target, up, fov, ortho, normals = "gradient", aov, stats;
-  std::string domain, time, opacity, reflectivity, environment, aa;
+  std::string domain, time, opacity, reflectivity, environment, aa, camera;
   std::vector<std::string> set, params, lights, clips;
   bool shadows = false, by_component = false;
-  int spp = 1, threads = 0, transparency_depth = 4, reflections = 1;
+  std::optional<int> spp, transparency_depth, reflections;  // not given: the scene's, or 1, 4 and 1
+  int threads = 0;
   ReadOptions read;
 };
 
@@ -27,7 +28,7 @@ struct RenderWords {
 
 /// All of these throw InputError for words that cannot be used.
 ///
-/// "WIDTHxHEIGHT" in pixels
+/// "WIDTHxHEIGHT" in pixels; empty: 1024x1024
 [[nodiscard]] std::array<int, 2> parse_size(const std::string& text);
 
 /// The iso-values of every frame: one frame of all of --iso, or one value a frame.
@@ -36,7 +37,11 @@ struct RenderWords {
 /// The layers of --aov, which only an EXR can hold.
 [[nodiscard]] std::vector<Layer> parse_layers(const RenderWords& words, bool exr);
 
-/// The scene but its iso-values.
+/// The scene that the words name, a file with what the words change of it, or one object; but for iso-values
+/// of --iso and --iso-sweep.
 [[nodiscard]] SceneDescription describe(const RenderWords& words);
+
+/// The size of the picture: the words', else the scene's, else 1024x1024.
+[[nodiscard]] std::array<int, 2> size_of(const RenderWords& words, const SceneDescription& scene);
 
 }  // namespace isocast

@@ -1,5 +1,4 @@
-#include <isocast/apps/isocast/formula_input.h>
-#include <isocast/apps/isocast/parse_values.h>
+#include <isocast/apps/scene_build/formula_input.h>
 #include <isocast/base/error.h>
 #include <isocast/implicit/expression/catalogue.h>
 #include <isocast/implicit/expression/vm_tape.h>
@@ -16,7 +15,7 @@ bool is_volume_file(const std::string& word, const Parameters& parameters) {
   std::error_code ignored;
   if (std::filesystem::exists(word, ignored)) return true;
   try {  // x/2 is a formula, folder/name is not
-    (void)parse_expression(typed_formula(word), parameters);
+    (void)parse_expression(word, parameters);
     return false;
   } catch (const InputError&) { return true; }
 }
@@ -30,7 +29,7 @@ FormulaInput read_formula(const FormulaRequest& request) {
     if (!request.parameters.empty()) throw InputError("found --param for a tape, which has no parameters");
     input.expression = read_vm_file(request.text);
   } else {
-    input.expression = parse_expression(typed_formula(request.text), request.parameters);
+    input.expression = parse_expression(request.text, request.parameters);
   }
   if (request.domain) input.domain = *request.domain;
   return input;
