@@ -60,6 +60,7 @@ BuiltScene build_scene(const SceneDescription& description, const EvaluationSett
   }
   add_up(built);
   built.scene.lights = description.lights;
+  built.scene.ambient_occlusion = description.ambient_occlusion;
   built.scene.shadows = description.shadows;
   return built;
 }

@@ -1,6 +1,7 @@
 #include <isocast/scene/object_hierarchy.h>
 
 #include <algorithm>
+#include <utility>
 #include <cmath>
 
 namespace isocast {
