@@ -3,12 +3,14 @@
 
 #include <isocast/isa/cpu.h>
 #include <isocast/ray/surface.h>
+#include <isocast/volume/bricks/brick_directory.h>
+#include <isocast/volume/bricks/brick_masks.h>
+#include <isocast/volume/bricks/bricks.h>
 #include <isocast/volume/macrocells.h>
 #include <isocast/volume/methods.h>
-#include <isocast/volume/primary/brick_masks.h>
-#include <isocast/volume/primary/bricks.h>
 #include <isocast/volume/query.h>
 #include <isocast/volume/sparse_ranges.h>
+#include <isocast/volume/stream/march_field.h>
 #include <isocast/volume/volume.h>
 
 #include <memory>
@@ -22,6 +24,8 @@ namespace isocast {
 /// normals   gradient: of the trilinear interpolant in the hit cell, exact and discontinuous across faces;
 ///           difference: central differences at the samples, interpolated, smooth
 /// object    number of the object in its scene
+/// walk      rays walk one after the other through the ranges of blocks, without masks: for comparisons; the
+///           bits are the same
 struct VolumeSurfaceOptions {
   std::vector<double> iso;
   CellMethodChoice method = choose_cell_method("auto", {});
@@ -29,6 +33,7 @@ struct VolumeSurfaceOptions {
   Isa isa = widest_isa();
   NormalKind normals = NormalKind::gradient;
   std::uint16_t object = 0;
+  bool walk = false;
 };
 
 /// Holds the samples, dense or sparse, and the ranges that let rays leap; other options need one look at the
@@ -64,6 +69,7 @@ class VolumeSurface final : public Surface {
   void use_dense_grid();
   void use_tree();
   void choose_masks();
+  [[nodiscard]] MarchField march_field() const;
   [[nodiscard]] Box world_box(const Double3& lo, const Double3& hi) const;
 
   std::shared_ptr<const Volume> volume_;
@@ -72,9 +78,11 @@ class VolumeSurface final : public Surface {
   Box bounds_, active_bounds_;
   VolumeQuery query_ = {};
   Bricks bricks_;
+  BrickDirectory directory_;
   std::vector<std::shared_ptr<const IsoMasks>> masks_;  // one for each iso-value
   Isa isa_;
   NormalKind normals_;
+  bool walk_;
 };
 
 /// The threshold of an iso-value in stored units: a sample s lies below it (s < key) exactly where the corner

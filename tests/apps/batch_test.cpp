@@ -146,6 +146,7 @@ TEST_CASE("a manifest tells later what was done") {
   CHECK_FALSE(done("abc", "out_0001.png"));
 
   // records of earlier frames stay
-  { Manifest(manifest_path(pattern, "1/2"), "1").add({.frame = 9, .file = "out_0009.png"}); }
+  record.frame = 9;
+  Manifest(manifest_path(pattern, "1/2"), "1").add(record);
   CHECK(read_manifests(pattern).size() == 3);
 }
