@@ -18,7 +18,7 @@ Box intersection(const Box& a, const Box& b) {
 }
 
 Box bounds_of(const CsgPart& part) {
-  if (part.parts.empty()) return part.operand.surface->bounds();
+  if (part.operation == CsgOperation::operand) return part.operand.surface->bounds();
   Box box = bounds_of(part.parts[0]);
   for (std::size_t n = 1; n < part.parts.size(); ++n) {
     if (part.operation == CsgOperation::unite) box.add(bounds_of(part.parts[n]));
@@ -29,8 +29,7 @@ Box bounds_of(const CsgPart& part) {
 
 // The operands in order; those that are CSGs are replaced by what they are made of.
 void flatten(CsgPart& part, std::vector<CsgOperand>& operands) {
-  if (part.parts.empty()) {
-    if (!part.operand.surface) throw InputError("a CSG operation without operands, expected one or more");
+  if (part.operation == CsgOperation::operand) {
     if (const auto* const csg = dynamic_cast<const CsgSurface*>(part.operand.surface.get()))
       part = CsgPart(csg->part());
     else {
@@ -38,6 +37,7 @@ void flatten(CsgPart& part, std::vector<CsgOperand>& operands) {
       return;
     }
   }
+  if (part.parts.empty()) throw InputError("a CSG operation without operands, expected one or more");
   for (CsgPart& one : part.parts) flatten(one, operands);
 }
 
@@ -45,7 +45,9 @@ void flatten(CsgPart& part, std::vector<CsgOperand>& operands) {
 
 CsgPart closed(CsgOperand operand, const Box& box, const Transform& world_from_box, std::uint16_t object) {
   const CsgOperand faces = {std::make_shared<BoxSurface>(box, world_from_box, object)};
-  return {{}, CsgOperation::intersect, {{std::move(operand)}, {faces}}};
+  return {CsgOperation::intersect,
+          {},
+          {{CsgOperation::operand, std::move(operand), {}}, {CsgOperation::operand, faces, {}}}};
 }
 
 CsgSurface::CsgSurface(CsgPart part, std::uint16_t object) : part_(std::move(part)), object_(object) {

@@ -8,7 +8,7 @@
 
 namespace isocast {
 
-enum class CsgOperation : std::uint8_t { unite, intersect, subtract };
+enum class CsgOperation : std::uint8_t { operand, unite, intersect, subtract };
 
 /// A surface as a solid.
 ///
@@ -21,12 +21,11 @@ struct CsgOperand {
   bool above = false;
 };
 
-/// An operand, or what an operation makes of the parts, where there are any; subtract: the first without all
-/// others.
+/// An operand, or what an operation makes of one part or more; `subtract`: the first without all others.
 struct CsgPart {
-  CsgOperand operand = {};
-  CsgOperation operation = CsgOperation::unite;
-  std::vector<CsgPart> parts = {};
+  CsgOperation operation = CsgOperation::operand;
+  CsgOperand operand;
+  std::vector<CsgPart> parts;
 };
 
 /// A surface that ends at its domain as a solid: the box's faces close it. They count as one more iso-value,

@@ -77,7 +77,7 @@ bool CsgWalk::in_operand(int k, int i) const {
 }
 
 bool CsgWalk::is_inside(const CsgPart& part, int i, int& operand) const {
-  if (part.parts.empty()) return in_operand(operand++, i);
+  if (part.operation == CsgOperation::operand) return in_operand(operand++, i);
   bool inside = is_inside(part.parts[0], i, operand);
   for (std::size_t n = 1; n < part.parts.size(); ++n) {
     const bool next = is_inside(part.parts[n], i, operand);  // always asked: it counts the operands

@@ -20,13 +20,13 @@ namespace {
 constexpr std::uint16_t kObject = 2;
 
 CsgPart operand(std::shared_ptr<const Surface> surface, int isos = 1, bool above = false) {
-  return {{std::move(surface), isos, above}};
+  return {CsgOperation::operand, {std::move(surface), isos, above}, {}};
 }
 CsgPart formula(const std::string& text, std::vector<double> iso = {0}, bool precise = true) {
   const int isos = static_cast<int>(iso.size());
   return operand(formula_surface(text, std::move(iso), kObject, precise), isos);
 }
-CsgPart join(CsgOperation operation, std::vector<CsgPart> parts) { return {{}, operation, std::move(parts)}; }
+CsgPart join(CsgOperation operation, std::vector<CsgPart> parts) { return {operation, {}, std::move(parts)}; }
 
 // All crossings of a stream: hits[n] is what the n-th query found.
 struct Crossing {
