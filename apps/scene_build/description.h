@@ -3,6 +3,7 @@
 
 #include <isocast/implicit/expression/parse.h>
 #include <isocast/implicit/implicit_surface.h>
+#include <isocast/ray/csg_surface.h>
 #include <isocast/render/camera.h>
 #include <isocast/scene/scene.h>
 #include <isocast/volume/io/read_volume.h>
@@ -36,7 +37,6 @@ struct FormulaSource {
 struct MeshSource {
   std::filesystem::path file;
 };
-enum class CsgOperation : std::uint8_t { unite, intersect, subtract };
 /// A solid of closed objects; subtract: the first without all the others.
 struct CsgSource {
   CsgOperation operation = CsgOperation::unite;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <isocast/render/features.h>
+#include <isocast/scene/box_tree.h>
 
 #include <algorithm>
 
@@ -22,6 +23,9 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
   if (settings.colors && any_material(scene, [](const Material& m) { return m.reflectivity > 0; }))
     f.reflections = settings.reflections;
   f.silhouettes = settings.colors && settings.silhouettes;
+  f.color_fields = settings.colors && std::ranges::any_of(scene.objects, [](const SceneObject& object) {
+                     return object.color_field != nullptr;
+                   });
   f.first_sample = {settings.colors || film.has(Layer::normal), film.has(Layer::position),
                     film.has(Layer::value)};
   f.other_samples = {settings.colors, false, false};
@@ -49,7 +53,9 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
     if (film.has(layer)) f.used.push_back(fmt::format("layer:{}", name_of(layer)));
   }
   list(f.silhouettes, "silhouettes");
+  list(f.color_fields, "colour fields");
   list(scene.objects.size() > 1, "object hierarchy");
+  list(scene.objects.size() > 1 && has_embree(), "module:embree");
   return f;
 }
 

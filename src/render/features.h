@@ -27,7 +27,7 @@ struct RenderSettings {
 };
 
 struct Features {
-  bool shade = false, shadows = false, transparency = false, silhouettes = false;
+  bool shade = false, shadows = false, transparency = false, silhouettes = false, color_fields = false;
   int reflections = 0, occlusion = 0;  // occlusion: rays per hit
   DressWishes first_sample,
       other_samples;  // what the hits of the first sample of a pixel must offer, and of the others

@@ -1,4 +1,5 @@
 #include <isocast/render/reflections.h>
+#include <isocast/render/scene_rays.h>
 
 namespace isocast {
 namespace {
@@ -50,11 +51,8 @@ void Reflections::trace(const Frame& frame, Wave& wave, RenderCounts& counts) {
   wave.rays.kind = RayKind::reflection;
   counts.reflection += wave.rays.size;
   clear(*wave.hits);
-  for (const SceneObject& object : frame.scene.objects)
-    object.surface->first_hit(wave.rays, *wave.hits, counts.trace);
-  const DressWishes wishes{.normal = true};
-  for (const SceneObject& object : frame.scene.objects)
-    object.surface->dress(wave.rays, *wave.hits, wishes, wave.dressed);
+  find_first_hits(frame, wave.rays, *wave.hits, counts.trace);
+  dress_all(frame, {.normal = true}, wave.rays, *wave.hits, wave.dressed);
 }
 
 }  // namespace isocast

@@ -36,6 +36,10 @@ struct Worker {
 void find_candidates(const Frame& frame, int tx, int ty, const HitStream* found,
                      std::vector<std::uint16_t>& candidates) {
   candidates.clear();
+  if (frame.hierarchy) {
+    if (found || frame.view.frustum(tx, ty).may_meet(frame.bounds)) candidates = frame.objects;
+    return;
+  }
   const bool any_pass = !frame.passes.empty();
   if (any_pass && !found && frame.objects.size() == 1) return;
   const TileFrustum tile = frame.view.frustum(tx, ty);
@@ -115,10 +119,12 @@ void render_block(std::span<const FrameSample> samples, int bx, int by, Worker& 
   if (progress) progress->add(columns * rows);
 }
 
-Frame make_frame(const Scene& scene, const View& view, const RenderSettings& settings, const Film& film) {
+Frame make_frame(const Scene& scene, const View& view, const RenderSettings& settings, const Film& film,
+                 const std::shared_ptr<const ObjectHierarchy>& hierarchy) {
   const bool proves =
       std::ranges::all_of(scene.objects, [](const SceneObject& o) { return o.surface->proves(); });
-  Frame frame{scene, view, settings, find_features(scene, film, settings), {}, {}, {}, {}, proves};
+  Frame frame{scene,  view,      settings,      find_features(scene, film, settings), {}, {}, {}, {}, {},
+              proves, hierarchy, scene.bounds()};
   for (const Double3& light : scene.lights) frame.lights.push_back(normalized(light));
   for (int ids = 0; const SceneObject& object : scene.objects) {
     frame.objects.push_back(static_cast<std::uint16_t>(frame.objects.size()));
@@ -130,6 +136,7 @@ Frame make_frame(const Scene& scene, const View& view, const RenderSettings& set
   for (const SceneObject& object : scene.objects) {
     std::unique_ptr<PrimaryPass>& pass = frame.passes.emplace_back(object.surface->primary(view));
     if (pass && film.has(Layer::cost) && !pass->tells_cost()) pass.reset();
+    frame.passed.push_back(pass != nullptr);
   }
   if (std::ranges::none_of(frame.passes, [](const auto& pass) { return pass != nullptr; }))
     frame.passes.clear();
@@ -140,11 +147,14 @@ Frame make_frame(const Scene& scene, const View& view, const RenderSettings& set
 class Samples {
  public:
   Samples(const Scene& scene, const View& view, const RenderSettings& settings, const Film& film) {
+    std::shared_ptr<const ObjectHierarchy> hierarchy;
+    if (scene.objects.size() > 1 && !film.has(Layer::cost))
+      hierarchy = std::make_shared<const ObjectHierarchy>(scene);
     for (const PixelSample& place : pixel_samples(settings.spp, settings.filter)) {
       auto& frame = frames_[{place.columns, place.rows}];
       if (!frame) {
         const View& shifted = views_.emplace_back(view.shifted(place.columns, place.rows));
-        frame = std::make_unique<Frame>(make_frame(scene, shifted, settings, film));
+        frame = std::make_unique<Frame>(make_frame(scene, shifted, settings, film, hierarchy));
       }
       all_.push_back({static_cast<int>(all_.size()), place.u, place.v, *frame});
     }

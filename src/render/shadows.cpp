@@ -1,4 +1,5 @@
 #include <isocast/math/elementary.h>
+#include <isocast/render/scene_rays.h>
 #include <isocast/render/shadows.h>
 
 #include <algorithm>
@@ -64,7 +65,7 @@ void Shadows::pass(const Frame& frame, RenderCounts& counts) {
   if (rays_.size == 0) return;
   if (frame.features.transparency) return pass_layers(frame, counts);
   bool blocked[kStreamSize] = {};
-  for (const SceneObject& object : frame.scene.objects) object.surface->any_hit(rays_, blocked, counts.trace);
+  find_any_hits(frame, rays_, blocked, counts.trace);
   for (int n = 0; n < rays_.size; ++n) passed_[n] = blocked[n] ? 0 : 1;
 }
 
@@ -72,7 +73,8 @@ void Shadows::pass(const Frame& frame, RenderCounts& counts) {
 void Shadows::pass_layers(const Frame& frame, RenderCounts& counts) {
   std::fill_n(passed_, rays_.size, 1.0f);
   clear(hits_);
-  crossings_.first(frame.scene, frame.objects, rays_, hits_, counts.trace);
+  const std::span<const std::uint16_t> objects = objects_for(frame, rays_, candidates_);
+  crossings_.first(frame.scene, objects, rays_, hits_, counts.trace);
   for (int layer = 1;; ++layer) {
     const bool behind = layer > frame.settings.transparency_depth;
     bool any = false;
@@ -84,7 +86,7 @@ void Shadows::pass_layers(const Frame& frame, RenderCounts& counts) {
       else forget(hits_, n);
     }
     if (behind || !any) return;
-    crossings_.next(frame.scene, frame.objects, rays_, hits_, counts);
+    crossings_.next(frame.scene, objects, rays_, hits_, counts);
   }
 }
 

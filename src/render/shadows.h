@@ -26,6 +26,7 @@ class Shadows {
   RayStream rays_;
   HitStream hits_;
   Crossings crossings_;
+  std::vector<std::uint16_t> candidates_;
   int hit_of_[kStreamSize];  // per shadow ray
   float passed_[kStreamSize];
 };

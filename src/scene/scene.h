@@ -3,6 +3,7 @@
 
 #include <isocast/math/box.h>
 #include <isocast/ray/surface.h>
+#include <isocast/scene/color_field.h>
 #include <isocast/scene/environment.h>
 #include <isocast/scene/material.h>
 
@@ -11,11 +12,13 @@
 
 namespace isocast {
 
-/// One surface and the material of each of its iso-values, or of each of its components.
+/// One surface and the material of each of its iso-values, or of each of its components. color_field: instead
+/// of the materials' colours; null: none.
 struct SceneObject {
   std::shared_ptr<const Surface> surface;
   std::vector<Material> materials;
   bool by_component = false;
+  std::shared_ptr<const ColorField> color_field = {};
 };
 
 /// Light from everywhere, which falls on a hit as far as nothing is within `radius` (world units) of it.
