@@ -66,6 +66,8 @@ class VolumeSurface final : public Surface {
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
+  void find_sides(const RayStream& rays, const HitStream& hits,
+                  RaySides (&sides)[kStreamSize]) const override;
   void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
              DressedHits& dressed) const override;
 

@@ -3,6 +3,7 @@
 
 #include <isocast/implicit/expression/parse.h>
 #include <isocast/implicit/implicit_surface.h>
+#include <isocast/ray/csg_surface.h>
 #include <isocast/render/camera.h>
 #include <isocast/scene/scene.h>
 #include <isocast/volume/io/read_volume.h>
@@ -36,7 +37,6 @@ struct FormulaSource {
 struct MeshSource {
   std::filesystem::path file;
 };
-enum class CsgOperation : std::uint8_t { unite, intersect, subtract };
 /// A solid of closed objects; subtract: the first without all the others.
 struct CsgSource {
   CsgOperation operation = CsgOperation::unite;
@@ -115,14 +115,13 @@ struct RenderWishes {
 /// empty: none), and what is fixed of its camera.
 ///
 /// cameras            by name; `camera` is the one in use
-/// ambient_occlusion  rays from every hit; 0: none
 struct SceneDescription {
   std::vector<ObjectDescription> objects = std::vector<ObjectDescription>(1);
   CameraWishes camera;
   std::map<std::string, CameraWishes> cameras;
   std::vector<Double3> lights;
   bool shadows = false;
-  int ambient_occlusion = 0;
+  AmbientOcclusion ambient_occlusion;
   Color background = {1, 1, 1};
   std::filesystem::path environment;
   double time = 0;

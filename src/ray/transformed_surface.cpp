@@ -4,9 +4,13 @@
 
 namespace isocast {
 
-TransformedSurface::TransformedSurface(std::shared_ptr<const Surface> surface, const Transform& world_from_own,
-                                       std::uint16_t own_number, std::uint16_t number)
-    : surface_(std::move(surface)), world_from_own_(world_from_own), own_number_(own_number), number_(number) {
+TransformedSurface::TransformedSurface(std::shared_ptr<const Surface> surface,
+                                       const Transform& world_from_own, std::uint16_t own_number,
+                                       std::uint16_t number)
+    : surface_(std::move(surface)),
+      world_from_own_(world_from_own),
+      own_number_(own_number),
+      number_(number) {
   if (const auto* const moved = dynamic_cast<const TransformedSurface*>(surface_.get())) {
     world_from_own_ = world_from_own_ * moved->world_from_own_;
     own_number_ = moved->own_number_;
@@ -100,6 +104,13 @@ void TransformedSurface::any_hit(const RayStream& rays, bool (&hit)[kStreamSize]
   surface_->any_hit(carried, hit, counts);
 }
 
+void TransformedSurface::find_sides(const RayStream& rays, const HitStream& hits,
+                                    RaySides (&sides)[kStreamSize]) const {
+  RayStream carried;
+  carry(rays, carried);
+  surface_->find_sides(carried, hits, sides);
+}
+
 void TransformedSurface::find_edges(const PixelLines& lines, std::span<const EdgeStep> steps,
                                     std::span<float> shares) const {
   PixelLines own;
@@ -129,7 +140,8 @@ void TransformedSurface::dress(const RayStream& rays, const HitStream& hits, con
       for (int a = 0; a < 3; ++a) dressed.normal[a][i] = n[a];
     }
     if (wishes.position) {
-      const Double3 p = world_from_own_.point({looks.position[0][i], looks.position[1][i], looks.position[2][i]});
+      const Double3 p =
+          world_from_own_.point({looks.position[0][i], looks.position[1][i], looks.position[2][i]});
       for (int a = 0; a < 3; ++a) dressed.position[a][i] = p[a];
     }
     if (wishes.value) dressed.value[i] = looks.value[i];

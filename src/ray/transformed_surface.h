@@ -26,6 +26,8 @@ class TransformedSurface final : public Surface {
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void any_hit(const RayStream& rays, bool (&hit)[kStreamSize], TraceCounts& counts) const override;
+  void find_sides(const RayStream& rays, const HitStream& hits,
+                  RaySides (&sides)[kStreamSize]) const override;
   void find_edges(const PixelLines& lines, std::span<const EdgeStep> steps,
                   std::span<float> shares) const override;
   void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,

@@ -34,8 +34,8 @@ class BoxTree {
 /// A tree of our own, over boxes in double precision, each widened for the roundings of rays and hits.
 [[nodiscard]] std::unique_ptr<const BoxTree> make_plain_box_tree(std::vector<Box> boxes);
 
-/// Where the module `embree` is there, one of Embree's; else our own. Both offer what is met, so what is found
-/// does not depend on which it is. Environment ISOCAST_EMBREE=0: our own.
+/// Where the module `embree` is there, one of Embree's; else our own. Both offer what is met, so what is
+/// found does not depend on which it is. Environment ISOCAST_EMBREE=0: our own.
 [[nodiscard]] std::unique_ptr<const BoxTree> make_box_tree(std::vector<Box> boxes);
 
 /// Whether make_box_tree makes Embree's.

@@ -17,8 +17,8 @@ RTCDevice device() {
   return made;
 }
 
-// Embree's numbers are float, so it gets the scene shifted and scaled into [-1, 1]. Roundings of boxes, rays and
-// their tests are of that size: boxes are wider by kRoom, and rays begin where they enter the scene.
+// Embree's numbers are float, so it gets the scene shifted and scaled into [-1, 1]. Roundings of boxes, rays
+// and their tests are of that size: boxes are wider by kRoom, and rays begin where they enter the scene.
 constexpr double kRoom = 0x1p-19;
 
 // What a query carries along.

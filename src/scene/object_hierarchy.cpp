@@ -1,7 +1,6 @@
 #include <isocast/scene/object_hierarchy.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace isocast {
