@@ -42,9 +42,10 @@ void add_render(CLI::App& app) {
       ->check(CLI::Range(1, 4096));
   verb->add_option(
           "--aa", w->aa,
-          "How edges are smoothed: none, spp (by --spp samples, 4 where it is not given), or silhouette "
-          "(formulas: the edges between pixels are found)")
-      ->check(CLI::IsMember({"none", "spp", "silhouette"}));
+          "How edges are smoothed: none, spp (by --spp samples, 4 where it is not given), silhouette "
+          "(formulas: the edges between pixels are found) or coverage (a formula: pixels are blended by the "
+          "shares that it covers, and what is thinner than a pixel does not vanish)")
+      ->check(CLI::IsMember({"none", "spp", "silhouette", "coverage"}));
   verb->add_option("--light", w->lights,
                    "X,Y,Z: direction towards a directional light; up to 8 times, n lights have 1/n of the "
                    "strength each (default: a headlight)")

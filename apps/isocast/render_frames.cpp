@@ -42,6 +42,7 @@ RenderSettings settings_of(const RenderWords& words, const RenderWishes& wishes)
     throw InputError(
         fmt::format("--filter {}: found one sample a pixel, expected --spp above 1", words.filter));
   settings.silhouettes = words.aa == "silhouette";
+  settings.coverage = words.aa == "coverage";
   settings.transparency_depth = words.transparency_depth.value_or(wishes.transparency_depth.value_or(4));
   settings.reflections = words.reflections.value_or(wishes.reflections.value_or(1));
   return settings;

@@ -193,7 +193,7 @@ SceneDescription describe_all(const RenderWords& words) {
   });
   if (words.aa == "silhouette" && !formulas)
     throw InputError("found --aa silhouette for a volume, expected it for a formula");
-  if ((words.aa == "silhouette" || words.aa == "none") && words.spp.value_or(1) > 1)
+  if (words.aa != "spp" && !words.aa.empty() && words.spp.value_or(1) > 1)
     throw InputError(
         fmt::format("--aa {}: found --spp {}, expected one sample a pixel", words.aa, *words.spp));
   if (!words.lights.empty()) scene.lights = parse_lights(words.lights);
