@@ -5,8 +5,25 @@
 
 namespace isocast {
 
+namespace {
+
+using json = nlohmann::ordered_json;
+
+// What was built of every object of a scene.
+json objects_of(const BuiltScene& built) {
+  json objects = json::array();
+  for (const BuiltObject& object : built.objects) {
+    json one = {{"name", object.name}, {"method", object.method}, {"iso", object.iso}};
+    if (!object.method_reason.empty()) one["method_reason"] = object.method_reason;
+    if (object.count > 1) one["surfaces"] = object.count;
+    objects.push_back(std::move(one));
+  }
+  return objects;
+}
+
+}  // namespace
+
 std::string stats_json(const FrameReport& r, const std::string& version) {
-  using json = nlohmann::ordered_json;
   constexpr double kMega = 1e6;
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
@@ -25,6 +42,7 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
                 {"method", object.method}};
   if (!object.method_reason.empty()) stats["method_reason"] = object.method_reason;
   stats["iso"] = object.iso;
+  if (r.built.objects.size() > 1) stats["objects"] = objects_of(r.built);
   stats["size"] = {r.width, r.height};
   stats["spp"] = r.spp;
   stats["features"] = features;

@@ -1,6 +1,7 @@
 #include <isocast/scene/object_hierarchy.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace isocast {
@@ -44,15 +45,18 @@ void move_slot(const HitStream& from, int i, HitStream& to, int k) {
   to.certificate[k] = from.certificate[i];
 }
 
-// Where a ray enters a box; in front of it at most by roundings.
+// Where a ray enters a box, before it at most by roundings; +inf where it surely passes.
 double entry(const RayStream& rays, int i, const Box& box) {
   const double o[3] = {rays.ox[i], rays.oy[i], rays.oz[i]}, d[3] = {rays.dx[i], rays.dy[i], rays.dz[i]};
-  double near = rays.t_min[i];
+  double near = rays.t_min[i], far = rays.t_max[i];
   for (int a = 0; a < 3; ++a) {
-    const double in = ((d[a] < 0 ? box.hi[a] : box.lo[a]) - o[a]) / d[a];
+    const double room = 0x1p-42 * std::max({std::abs(o[a]), std::abs(box.lo[a]), std::abs(box.hi[a])});
+    const double in = ((d[a] < 0 ? box.hi[a] + room : box.lo[a] - room) - o[a]) / d[a],
+                 out = ((d[a] < 0 ? box.lo[a] - room : box.hi[a] + room) - o[a]) / d[a];
     if (in > near) near = in;
+    if (out < far) far = out;
   }
-  return near;
+  return near <= far ? near : Box::inf;
 }
 
 // What walks the tree: candidates of one packet after the other.
@@ -94,20 +98,27 @@ class FirstHits final : public PacketVisitor {
         skip_(skip),
         hits_(hits),
         counts_(counts) {
-    for (int i = 0; i < rays.size; ++i) ends_[i] = hits.t[i], doubt_[i] = Box::inf;
+    for (int i = 0; i < rays.size; ++i) ends_[i] = hits.t[i], doubt_[i] = unproved_[i] = Box::inf;
   }
   [[nodiscard]] const double (&ends() const)[kStreamSize] { return ends_; }
 
-  // Doubts before the hit.
+  // Doubts before the hit, and objects there that prove nothing.
   void tell_doubts() {
-    for (int i = 0; i < rays_.size; ++i)
-      if (doubt_[i] <= hits_.t[i] && doubt_[i] < Box::inf) hits_.certificate[i] = Certificate::undecided;
+    for (int i = 0; i < rays_.size; ++i) {
+      Certificate& certificate = hits_.certificate[i];
+      if (doubt_[i] <= hits_.t[i] && doubt_[i] < Box::inf) certificate = Certificate::undecided;
+      if (certificate == Certificate::proved_hit && unproved_[i] < hits_.t[i])
+        certificate = Certificate::no_proof;
+    }
   }
 
  private:
   void look_at(std::uint32_t object, int first) override {
-    if (!skip_.empty() && skip_[object]) return;
     const Surface& surface = *surfaces_[object];
+    if (!surface.proves())
+      for (int i = first; i < first + packet_.size; ++i)
+        unproved_[i] = std::min(unproved_[i], entry(rays_, i, boxes_[object]));
+    if (!skip_.empty() && skip_[object]) return;
     const Certificate nothing = surface.proves() ? Certificate::proved_miss : Certificate::no_proof;
     for (int l = 0; l < packet_.size; ++l) {
       forget(found_, l);
@@ -134,7 +145,7 @@ class FirstHits final : public PacketVisitor {
   HitStream& hits_;
   TraceCounts& counts_;
   HitStream found_;
-  double ends_[kStreamSize], doubt_[kStreamSize];
+  double ends_[kStreamSize], doubt_[kStreamSize], unproved_[kStreamSize];
 };
 
 class AnyHits final : public PacketVisitor {
