@@ -137,7 +137,8 @@ void run(const ProbeWords& words) {
   SceneDescription description = describe(words.scene);
   const auto [width, height] = size_of(words.scene, description);
   const std::array<int, 2> pixel = parse_pixel(words.pixel, width, height);
-  const std::vector<double> iso = parse_frames(words.scene).front();
+  const std::vector<double> iso =
+      words.scene.iso.empty() ? std::vector<double>() : parse_numbers(words.scene.iso, "--iso");
   if (!iso.empty()) description.objects.front().iso = iso;
   const Isa isa = isa_from_name(words.scene.isa);
   std::optional<View> scene_view;

@@ -21,8 +21,10 @@ std::optional<Double3> parse_vector(const std::string& text, const char* option)
   return Double3{v[0], v[1], v[2]};
 }
 
+// FROM:TO is for frames.
 double parse_time(const RenderWords& words) {
-  return words.time.empty() ? 0 : parse_number(words.time, "--time");
+  const bool one = !words.time.empty() && words.time.find(':') == std::string::npos;
+  return one ? parse_number(words.time, "--time") : 0;
 }
 
 std::variant<VolumeSource, FormulaSource, MeshSource> find_source(const RenderWords& words) {
@@ -133,8 +135,6 @@ SceneDescription open_scene(const RenderWords& words) {
   refuse(of_files, "a scene");
   if (scene.objects.size() > 1) refuse(of_objects, "a scene of several objects");
   if (!words.camera.empty()) use_camera(scene, words.camera);
-  if (!words.time.empty()) scene = at_time(scene, parse_time(words));
-
   ObjectDescription& object = scene.objects.front();
   if (words.method != "auto") object.method = words.method, object.settings.clear();
   for (const std::string& word : words.set) object.settings.insert(parse_key_value(word, "--set"));
@@ -143,7 +143,7 @@ SceneDescription open_scene(const RenderWords& words) {
   if (!materials.opacities.empty()) object.materials.opacities = materials.opacities;
   if (!materials.reflectivities.empty()) object.materials.reflectivities = materials.reflectivities;
   if (words.normals != "gradient") object.normals = normals_from(words.normals);
-  return description_at(scene, frames_of(scene)[0]);
+  return scene;
 }
 
 void change_camera(const RenderWords& words, CameraWishes& camera) {
@@ -182,21 +182,6 @@ std::array<int, 2> parse_size(const std::string& text) {
       fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each from 1 to {}", text, kLargest));
 }
 
-std::vector<std::vector<double>> parse_frames(const RenderWords& words) {
-  const std::vector<double> iso =
-      words.iso.empty() ? std::vector<double>{} : parse_numbers(words.iso, "--iso");
-  if (words.iso_sweep.empty()) return {iso};
-  if (!iso.empty()) throw InputError("--iso and --iso-sweep exclude each other");
-  const std::vector<std::string> parts = split(words.iso_sweep, ':');
-  const double n = parts.size() == 3 ? parse_number(parts[2], "--iso-sweep") : 0;
-  if (!(n >= 1 && n <= 100000 && n == std::floor(n)))
-    throw InputError(fmt::format("--iso-sweep {}: expected FROM:TO:COUNT", words.iso_sweep));
-  const double from = parse_number(parts[0], "--iso-sweep"), to = parse_number(parts[1], "--iso-sweep");
-  std::vector<std::vector<double>> frames;
-  for (int i = 0; i < n; ++i) frames.push_back({n == 1 ? from : from + (to - from) * i / (n - 1)});
-  return frames;
-}
-
 std::vector<Layer> parse_layers(const RenderWords& words, bool exr) {
   std::vector<Layer> layers;
   if (words.aov.empty()) return layers;
@@ -206,7 +191,7 @@ std::vector<Layer> parse_layers(const RenderWords& words, bool exr) {
   return layers;
 }
 
-SceneDescription describe(const RenderWords& words) {
+SceneDescription describe_all(const RenderWords& words) {
   const bool from_file = is_scene_file(words.input);
   SceneDescription scene = from_file ? open_scene(words) : SceneDescription();
   if (!from_file) scene.objects.front() = describe_object(words);
@@ -218,11 +203,35 @@ SceneDescription describe(const RenderWords& words) {
   if ((words.aa == "silhouette" || words.aa == "none") && words.spp.value_or(1) > 1)
     throw InputError(
         fmt::format("--aa {}: found --spp {}, expected one sample a pixel", words.aa, *words.spp));
-  change_camera(words, scene.camera);
   if (!words.lights.empty()) scene.lights = parse_lights(words.lights);
   scene.shadows = scene.shadows || words.shadows;
   if (!words.environment.empty()) scene.environment = words.environment;
+  if (words.ambient_occlusion > 0) scene.ambient_occlusion.samples = words.ambient_occlusion;
+  if (!words.ambient_occlusion_radius.empty()) {
+    const double radius = parse_number(words.ambient_occlusion_radius, "--ambient-occlusion-radius");
+    if (!(radius > 0) || scene.ambient_occlusion.samples == 0)
+      throw InputError(
+          fmt::format("--ambient-occlusion-radius {}: expected a length above 0, with "
+                      "--ambient-occlusion",
+                      words.ambient_occlusion_radius));
+    scene.ambient_occlusion.radius = radius;
+  }
   return scene;
+}
+
+SceneDescription describe_frame(const RenderWords& words, const SceneDescription& all, const FrameJob& job) {
+  SceneDescription scene = description_at(all, job.number);
+  if (job.time) scene = at_time(scene, *job.time);
+  if (!job.iso.empty()) scene.objects.front().iso = job.iso;
+  change_camera(words, scene.camera);
+  return scene;
+}
+
+SceneDescription describe(const RenderWords& words) {
+  const SceneDescription all = describe_all(words);
+  FrameJob first{.number = frames_of(all)[0]};
+  if (!words.time.empty()) first.time = parse_time(words);
+  return describe_frame(words, all, first);
 }
 
 std::array<int, 2> size_of(const RenderWords& words, const SceneDescription& scene) {

@@ -15,12 +15,23 @@ namespace isocast {
 struct RenderWords {
   std::string input, output, iso, iso_sweep, colors, method = "auto", size, isa = "auto", precision = "float";
   std::string position, target, up, fov, ortho, normals = "gradient", aov, stats;
-  std::string domain, time, opacity, reflectivity, environment, aa, camera;
+  std::string frames, shard, exr_names = "plain", domain, time, opacity, reflectivity, environment, aa,
+                             camera, filter = "box", ambient_occlusion_radius;
   std::vector<std::string> set, params, lights, clips;
-  bool shadows = false, by_component = false;
+  bool shadows = false, by_component = false, resume = false;
   std::optional<int> spp, transparency_depth, reflections;  // not given: the scene's, or 1, 4 and 1
-  int threads = 0;
+  int threads = 0, ambient_occlusion = 0;
   ReadOptions read;
+};
+
+/// A frame with what the command line changes in it.
+///
+/// iso   empty: those of the scene
+/// time  none: the scene's
+struct FrameJob {
+  int number = 0;
+  std::vector<double> iso = {};
+  std::optional<double> time = {};
 };
 
 /// The parts between separators; at least one.
@@ -31,14 +42,16 @@ struct RenderWords {
 /// "WIDTHxHEIGHT" in pixels; empty: 1024x1024
 [[nodiscard]] std::array<int, 2> parse_size(const std::string& text);
 
-/// The iso-values of every frame: one frame of all of --iso, or one value a frame.
-[[nodiscard]] std::vector<std::vector<double>> parse_frames(const RenderWords& words);
-
 /// The layers of --aov, which only an EXR can hold.
 [[nodiscard]] std::vector<Layer> parse_layers(const RenderWords& words, bool exr);
 
-/// The scene that the words name, a file with what the words change of it, or one object; but for iso-values
-/// of --iso and --iso-sweep.
+/// The scene that the words name, a file with what the words change of it, or one object, for all frames:
+/// before its animation.
+[[nodiscard]] SceneDescription describe_all(const RenderWords& words);
+/// That scene at a frame.
+[[nodiscard]] SceneDescription describe_frame(const RenderWords& words, const SceneDescription& all,
+                                              const FrameJob& job);
+/// The scene at its first frame, but for the iso-values of --iso.
 [[nodiscard]] SceneDescription describe(const RenderWords& words);
 
 /// The size of the picture: the words', else the scene's, else 1024x1024.

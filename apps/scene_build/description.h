@@ -115,14 +115,13 @@ struct RenderWishes {
 /// empty: none), and what is fixed of its camera.
 ///
 /// cameras            by name; `camera` is the one in use
-/// ambient_occlusion  rays from every hit; 0: none
 struct SceneDescription {
   std::vector<ObjectDescription> objects = std::vector<ObjectDescription>(1);
   CameraWishes camera;
   std::map<std::string, CameraWishes> cameras;
   std::vector<Double3> lights;
   bool shadows = false;
-  int ambient_occlusion = 0;
+  AmbientOcclusion ambient_occlusion;
   Color background = {1, 1, 1};
   std::filesystem::path environment;
   double time = 0;

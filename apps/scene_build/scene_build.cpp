@@ -172,7 +172,7 @@ BuiltScene build_scene(const SceneDescription& description, const EvaluationSett
   Builder(description, settings, built).add_all();
   add_up(built);
   built.scene.lights = description.lights;
-  built.scene.ambient_occlusion.samples = description.ambient_occlusion;
+  built.scene.ambient_occlusion = description.ambient_occlusion;
   built.scene.shadows = description.shadows;
   return built;
 }

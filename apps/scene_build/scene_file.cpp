@@ -41,7 +41,7 @@ void read_lights(const SceneJson& value, const SceneContext& context, SceneDescr
   for (std::size_t i = 0; i < value["lights"].size(); ++i) {
     const SceneJson& light = value["lights"][i];
     if (light["type"] == "ambient_occlusion") {
-      scene.ambient_occlusion = light.value("samples", 16);
+      scene.ambient_occlusion = {light.value("samples", 16), light.value("radius", Box::inf)};
       continue;
     }
     const Double3 direction = point_from_json(light["direction"]);

@@ -83,10 +83,12 @@ struct SceneRules {
       .kind = record,
       .meaning = "a light from far away",
       .keys = {{"type", &kDirectionalType, "", true}, {"direction", &kThree, "towards the light", true}}};
-  const Rule kOcclusion = {.kind = record,
-                           .meaning = "light from everywhere",
-                           .keys = {{"type", &kOcclusionType, "", true},
-                                    {"samples", &kSamples, "rays from every hit; default: 16"}}};
+  const Rule kOcclusion = {
+      .kind = record,
+      .meaning = "light from everywhere",
+      .keys = {{"type", &kOcclusionType, "", true},
+               {"samples", &kSamples, "rays from every hit; default: 16"},
+               {"radius", &kPositive, "how far away something may occlude; default: anywhere"}}};
   const Rule kLight = {.kind = tagged, .meaning = "a light", .parts = {&kDirectional, &kOcclusion}};
   const Rule kLights = {.kind = list, .meaning = "a list of lights", .lo = 0, .hi = 9, .parts = {&kLight}};
   const Rule kSky = {.kind = record,

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
-#include <isocast/apps/reference/hash.h>
+#include <isocast/base/hash.h>
 
 #include <bit>
 #include <cstring>
 
-namespace isocast::reference {
+namespace isocast {
 namespace {
 
 // The odd 64-bit numbers nearest to 2^64 over the golden ratio and over the plastic number.
@@ -34,4 +34,4 @@ std::string Hash::text() const {
   return fmt::format("{:016x}{:016x}", last.state_[0], last.state_[1]);
 }
 
-}  // namespace isocast::reference
+}  // namespace isocast

@@ -1,4 +1,4 @@
-#include <isocast/volume/primary/make_mask.h>
+#include <isocast/volume/bricks/make_mask.h>
 #include <isocast/volume/visit_grid.h>
 
 #include <algorithm>

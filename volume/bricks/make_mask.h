@@ -1,7 +1,7 @@
 // The bits of a brick from the samples of its cells.
 #pragma once
 
-#include <isocast/volume/primary/brick_mask.h>
+#include <isocast/volume/bricks/brick_mask.h>
 #include <isocast/volume/query.h>
 
 #include <memory>

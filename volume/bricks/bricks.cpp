@@ -1,5 +1,5 @@
-#include <isocast/volume/primary/brick_mask.h>
-#include <isocast/volume/primary/bricks.h>
+#include <isocast/volume/bricks/brick_mask.h>
+#include <isocast/volume/bricks/bricks.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <isocast/volume/primary/kernels.h>
+#include <isocast/volume/fetch_cells.h>
 #include <isocast/volume/visit_grid.h>
 
 namespace isocast {
@@ -15,7 +15,7 @@ void fetch(const VolumeQuery& query, int iso, const std::int32_t (*cells)[3], in
     grid.load_corners(cells[i], place, raw);
     T finite = 0;
     for (int k = 0; k < 8; ++k) {
-      // as fetch_cell (trace.h)
+      // as fetch_one (trace.h)
       f[i][k] = query.proves ? T(corner_value<double>(raw[k], query.iso[iso]))
                              : corner_value<T>(raw[k], query.iso[iso]);
       finite += f[i][k] * T(0);

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace isocast::reference {
+namespace isocast {
 
 /// Of all that was added, in order.
 class Hash {
@@ -23,4 +23,4 @@ class Hash {
   std::uint64_t state_[2] = {0x243f6a8885a308d3u, 0x13198a2e03707344u};  // digits of pi
 };
 
-}  // namespace isocast::reference
+}  // namespace isocast
