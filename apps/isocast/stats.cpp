@@ -1,6 +1,7 @@
 #include <isocast/apps/isocast/stats.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace isocast {
@@ -8,6 +9,15 @@ namespace isocast {
 namespace {
 
 using json = nlohmann::ordered_json;
+
+// Every word once, and none that is in the other list.
+void keep_first(std::vector<std::string>& words, const std::vector<std::string>& others) {
+  std::vector<std::string> kept;
+  for (const std::string& word : words)
+    if (std::ranges::find(kept, word) == kept.end() && std::ranges::find(others, word) == others.end())
+      kept.push_back(word);
+  words = std::move(kept);
+}
 
 // What was built of every object of a scene.
 json objects_of(const BuiltScene& built) {
@@ -34,6 +44,8 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
   (r.counts.passes > 0 ? features : left_out).push_back("primary pass");
   const BuiltObject& object = r.built.objects.front();
   if (object.volume) (r.counts.passes > 0 ? features : left_out).push_back("bit masks");
+  keep_first(features, {});
+  keep_first(left_out, features);
 
   json stats = {{"version", version},
                 {"isa", r.isa},
