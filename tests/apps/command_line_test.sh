@@ -97,6 +97,11 @@ expect 0 '"objects": [' render scene.json -o scene.png --stats - --camera b --si
 expect 0 "module:embree" render one.json -o one.png --stats - --size 16x16 --method certified --iso 0.1 --colors "#ff0000"
 expect 0 "right" probe scene.json --pixel 16,12
 expect 0 "right" probe one.json --pixel 512,512
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n' >corner.obj
+expect 0 '"triangles:4"' render corner.obj -o corner.png --size 32x32 --stats -
+expect 2 "found options of volumes or formulas for the mesh corner.obj" render corner.obj -o a.png --iso 3
+sed 's/f 1 3 2/f 1 3 9/' corner.obj >bad.obj
+expect 2 "bad.obj:5: found the vertex 9, expected one of the 4 so far" render bad.obj -o a.png
 expect 2 "no camera has the name 'c', expected one of: a, b" render scene.json -o a.png --camera c
 expect 2 "found --method for scene.json, a scene of several objects: expected the key 'method'" render scene.json -o a.png --method affine
 expect 2 "found --param for scene.json, a scene: expected the key 'params'" render scene.json -o a.png --param a=1

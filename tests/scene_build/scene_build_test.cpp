@@ -16,7 +16,8 @@ namespace {
 const char* const kBall =
     R"("type": "formula", "expr": "x^2+y^2+z^2-1", "domain": [[-1.5,1.5],[-1.5,1.5],[-1.5,1.5]])";
 
-std::string ball(const std::string& more) { return "{" + std::string(kBall) + more + "}"; }
+std::string record(const std::string& keys) { return std::string("{").append(keys).append("}"); }
+std::string ball(const std::string& more) { return record(std::string(kBall).append(more)); }
 
 const char* const kOctahedron =
     "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\nf 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf "
@@ -32,7 +33,7 @@ TEST_CASE("objects of every kind stand where their transform puts them") {
   std::ofstream(folder / "oct.obj") << kOctahedron;
   const std::string place =
       R"(, "transform": {"scale": [2, 1, 1], "rotate": [0, 0, 1, 90], "translate": [10, 0, 0]}})";
-  const std::string kinds[] = {"{" + std::string(kBall),
+  const std::string kinds[] = {std::string("{").append(kBall),
                                R"({"type": "volume", "file": "ball.nrrd", "iso": 1)",
                                R"({"type": "mesh", "file": "oct.obj")"};
   for (const std::string& kind : kinds) {
@@ -108,8 +109,8 @@ TEST_CASE("operands keep their materials, unless the whole has some") {
   const std::string parts =
       R"("type": "csg", "op": "difference", "of": [{"type": "formula", "expr": "max(abs(x),max(abs(y),abs(z)))-0.5", "material": {"color": "#ff0000"}},
          {"type": "formula", "expr": "x^2+y^2+z^2-0.36", "material": {"color": "#0000ff"}}])";
-  const BuiltScene own = built("{" + parts + "}"),
-                   one = built("{" + parts + R"(, "material": {"color": "#00ff00"}})");
+  const BuiltScene own = built(record(parts)),
+                   one = built(record(parts + R"(, "material": {"color": "#00ff00"})"));
   const auto color_at = [](const BuiltScene& scene, const Double3& from, const Double3& at) {
     const View view = test::looking(scene.scene, from, at, 1);
     Film film(1, 1, {Layer::position});

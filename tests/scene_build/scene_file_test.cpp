@@ -49,7 +49,7 @@ TEST_CASE("the keys of interface.md mean what they say") {
   CHECK(scene.cameras.size() == 2);
   CHECK(scene.camera.ortho_height == 5);  // "far" comes first
   CHECK(scene.lights == std::vector<Double3>{{0, 0, 1}});
-  CHECK(scene.ambient_occlusion == 32);
+  CHECK(scene.ambient_occlusion.samples == 32);
   CHECK(scene.shadows);
   CHECK(scene.background == Color{1, 1, 1});
   CHECK(scene.wishes.size == std::array{64, 32});

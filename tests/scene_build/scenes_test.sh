@@ -2,7 +2,7 @@
 # Every example scene follows the published schema and renders at 64x64, to the same bytes with Embree and without.
 # usage: scenes_test.sh ISOCAST SCENES SCHEMA
 set -euo pipefail
-isocast=$1 scenes=$2 schema=$3
+isocast=$(realpath "$1") scenes=$(realpath "$2") schema=$(realpath "$3")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cp "$scenes"/* "$folder"
