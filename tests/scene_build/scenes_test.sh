@@ -15,13 +15,13 @@ if ! diff <("$isocast" schema) "$schema"; then
 fi
 count=0
 for scene in *.json; do
-  ISOCAST_EMBREE=1 "$isocast" render "$scene" --size 64x64 -o with.png --stats stats.json
+  ISOCAST_EMBREE=1 "$isocast" render "$scene" --size 64x64 -o with.png --stats stats.txt
   ISOCAST_EMBREE=0 "$isocast" render "$scene" --size 64x64 -o without.png
   if ! cmp with.png without.png; then
     echo "$scene: other bytes without Embree"
     exit 1
   fi
-  hits=$(grep -o '"hits": [0-9]*' stats.json | grep -o '[0-9]*')
+  hits=$(grep -o '"hits": [0-9]*' stats.txt | grep -o '[0-9]*')
   if ((hits < 300)); then
     echo "$scene: only $hits rays hit"
     exit 1
