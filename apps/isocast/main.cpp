@@ -44,6 +44,7 @@ int main(int argc, char** argv) try {
   isocast::verbs::add_sample(app);
   isocast::verbs::add_info(app);
   isocast::verbs::add_surfaces(app);
+  isocast::verbs::add_schema(app);
   isocast::verbs::add_probe(app);
   isocast::verbs::add_bench(app);
   isocast::verbs::add_compare(app);

@@ -5,6 +5,7 @@
 #include <isocast/apps/scene_build/formula_input.h>
 #include <isocast/apps/scene_build/scene_file.h>
 #include <isocast/base/error.h>
+#include <isocast/scene/mesh/mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,13 @@ double parse_time(const RenderWords& words) {
   return one ? parse_number(words.time, "--time") : 0;
 }
 
-std::variant<VolumeSource, FormulaSource> find_source(const RenderWords& words) {
+std::variant<VolumeSource, FormulaSource, MeshSource> find_source(const RenderWords& words) {
+  if (has_mesh_extension(words.input)) {
+    if (!words.params.empty() || !words.domain.empty() || !words.iso.empty() || !words.set.empty() ||
+        words.method != "auto")
+      throw InputError(fmt::format("found options of volumes or formulas for the mesh {}", words.input));
+    return MeshSource{words.input};
+  }
   FormulaRequest request{typed_formula(words.input), parse_parameters(words.params, "--param"), {}};
   if (is_volume_file(request.text, request.parameters)) {
     if (!words.domain.empty() || (words.clips.empty() && (!words.params.empty() || !words.time.empty())))

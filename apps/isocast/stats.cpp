@@ -2,12 +2,39 @@
 #include <isocast/apps/isocast/stats.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace isocast {
 
+namespace {
+
+using json = nlohmann::ordered_json;
+
+// Every word once, and none that is in the other list.
+void keep_first(std::vector<std::string>& words, const std::vector<std::string>& others) {
+  std::vector<std::string> kept;
+  for (const std::string& word : words)
+    if (std::ranges::find(kept, word) == kept.end() && std::ranges::find(others, word) == others.end())
+      kept.push_back(word);
+  words = std::move(kept);
+}
+
+// What was built of every object of a scene.
+json objects_of(const BuiltScene& built) {
+  json objects = json::array();
+  for (const BuiltObject& object : built.objects) {
+    json one = {{"name", object.name}, {"method", object.method}, {"iso", object.iso}};
+    if (!object.method_reason.empty()) one["method_reason"] = object.method_reason;
+    if (object.count > 1) one["surfaces"] = object.count;
+    objects.push_back(std::move(one));
+  }
+  return objects;
+}
+
+}  // namespace
+
 std::string stats_json(const FrameReport& r, const std::string& version) {
-  using json = nlohmann::ordered_json;
   constexpr double kMega = 1e6;
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
@@ -27,6 +54,8 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
     (masks.masks > 0 ? features : left_out).push_back("bit masks");
     left_out.push_back(fmt::format("bit masks of {} of {} bricks", masks.bricks - masks.masks, masks.bricks));
   }
+  keep_first(features, {});
+  keep_first(left_out, features);
 
   json stats = {{"version", version},
                 {"isa", r.isa},
@@ -35,6 +64,7 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
                 {"method", object.method}};
   if (!object.method_reason.empty()) stats["method_reason"] = object.method_reason;
   stats["iso"] = object.iso;
+  if (r.built.objects.size() > 1) stats["objects"] = objects_of(r.built);
   stats["size"] = {r.width, r.height};
   stats["spp"] = r.spp;
   stats["features"] = features;

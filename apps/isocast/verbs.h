@@ -12,6 +12,7 @@ void add_methods(CLI::App& app);
 void add_sample(CLI::App& app);
 void add_info(CLI::App& app);
 void add_surfaces(CLI::App& app);
+void add_schema(CLI::App& app);
 void add_probe(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_compare(CLI::App& app);
