@@ -48,8 +48,7 @@ void run(const RenderWords& words) {
   const std::vector<std::vector<double>> frames = parse_frames(words);
   SceneDescription description = describe(words);
   description.object.iso = frames.front();
-  const EvaluationSettings evaluation{isa_from_name(words.isa), words.precision == "double",
-                                      words.precision == "mixed"};
+  const EvaluationSettings evaluation = evaluation_of(words);
   const int threads = words.threads > 0 ? words.threads : oneapi::tbb::info::default_concurrency();
   const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
                                           static_cast<std::size_t>(threads));
@@ -64,11 +63,7 @@ void run(const RenderWords& words) {
                     "says which do)",
                     built.method));
   const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
-  RenderSettings settings;
-  settings.spp = words.aa == "spp" && words.spp == 1 ? 4 : words.spp;
-  settings.silhouettes = words.aa == "silhouette";
-  settings.transparency_depth = words.transparency_depth;
-  settings.reflections = words.reflections;
+  const RenderSettings settings = settings_of(words);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (i > 0) built.set_iso(frames[i], description.object.materials);
     Film film(width, height, layers);
@@ -99,17 +94,11 @@ void run(const RenderWords& words) {
 
 }  // namespace
 
-void add_render(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand(
-      "render", "Pictures of iso-surfaces of a volume or a formula: PNG, or EXR with layers");
-  const auto w = std::make_shared<RenderWords>();
+void add_picture_options(CLI::App* verb, RenderWords* w) {
   add_scene_options(
       *verb, *w,
       "auto (marmitt for volumes, interval, affine or certified for formulas), or a name that 'isocast "
       "methods' lists");
-  verb->add_option("-o", w->output, "The picture: .png (sRGB) or .exr (linear, with layers)")->required();
-  verb->add_option("--iso-sweep", w->iso_sweep,
-                   "FROM:TO:COUNT, a frame per value: OUT_0000.png, OUT_0001.png, ...");
   verb->add_option("--colors", w->colors, "A colour per iso-value: #rrggbb[,#rrggbb...]");
   verb->add_option("--opacity", w->opacity, "0 to 1 per iso-value, A[,A...] (default 1)");
   verb->add_option("--reflectivity", w->reflectivity,
@@ -148,10 +137,20 @@ void add_render(CLI::App& app) {
                    "gradient (exact; of the cell of a volume), difference (central differences, smooth) or "
                    "neighbour (formulas: from the pixels beside it)")
       ->check(CLI::IsMember({"gradient", "difference", "neighbour"}));
-  verb->add_option("--aov", w->aov, "Layers of the EXR: depth,z,normal,position,id,value,cost,certificate");
   verb->add_option("--precision", w->precision, "float (default), double, or mixed (frustum methods)")
       ->check(CLI::IsMember({"float", "double", "mixed"}));
   verb->add_option("--threads", w->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
+}
+
+void add_render(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand(
+      "render", "Pictures of iso-surfaces of a volume or a formula: PNG, or EXR with layers");
+  const auto w = std::make_shared<RenderWords>();
+  add_picture_options(verb, w.get());
+  verb->add_option("-o", w->output, "The picture: .png (sRGB) or .exr (linear, with layers)")->required();
+  verb->add_option("--iso-sweep", w->iso_sweep,
+                   "FROM:TO:COUNT, a frame per value: OUT_0000.png, OUT_0001.png, ...");
+  verb->add_option("--aov", w->aov, "Layers of the EXR: depth,z,normal,position,id,value,cost,certificate");
   verb->add_option("--stats", w->stats, "What was done, as JSON, to a file or - for stdout");
   verb->callback([w] { run(*w); });
 }

@@ -42,16 +42,6 @@ std::vector<double> parse_shares(const std::string& text, const char* option) {
   return shares;
 }
 
-MaterialDescription describe_materials(const RenderWords& words) {
-  MaterialDescription materials;
-  if (!words.colors.empty())
-    for (const std::string& color : split(words.colors, ','))
-      materials.colors.push_back(color_from_hex(color));
-  materials.opacities = parse_shares(words.opacity, "--opacity");
-  materials.reflectivities = parse_shares(words.reflectivity, "--reflectivity");
-  return materials;
-}
-
 std::vector<Double3> parse_lights(const std::vector<std::string>& words) {
   constexpr std::size_t kMost = 8;
   if (words.size() > kMost)
@@ -120,13 +110,36 @@ std::vector<Layer> parse_layers(const RenderWords& words, bool exr) {
   return layers;
 }
 
+MaterialDescription materials_of(const RenderWords& words) {
+  MaterialDescription materials;
+  if (!words.colors.empty())
+    for (const std::string& color : split(words.colors, ','))
+      materials.colors.push_back(color_from_hex(color));
+  materials.opacities = parse_shares(words.opacity, "--opacity");
+  materials.reflectivities = parse_shares(words.reflectivity, "--reflectivity");
+  return materials;
+}
+
+EvaluationSettings evaluation_of(const RenderWords& words) {
+  return {isa_from_name(words.isa), words.precision == "double", words.precision == "mixed"};
+}
+
+RenderSettings settings_of(const RenderWords& words) {
+  RenderSettings settings;
+  settings.spp = words.aa == "spp" && words.spp == 1 ? 4 : words.spp;
+  settings.silhouettes = words.aa == "silhouette";
+  settings.transparency_depth = words.transparency_depth;
+  settings.reflections = words.reflections;
+  return settings;
+}
+
 SceneDescription describe(const RenderWords& words) {
   SceneDescription scene;
   ObjectDescription& object = scene.object;
   object.source = find_source(words);
   object.method = words.method;
   for (const std::string& word : words.set) object.settings.insert(parse_key_value(word, "--set"));
-  object.materials = describe_materials(words);
+  object.materials = materials_of(words);
   object.by_component = words.by_component;
   if (object.by_component && !std::holds_alternative<FormulaSource>(object.source))
     throw InputError("found --color-components for a volume, expected it for a formula");

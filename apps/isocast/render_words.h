@@ -1,8 +1,8 @@
 // What the command line of render means.
 #pragma once
 
-#include <isocast/apps/scene_build/description.h>
-#include <isocast/render/film.h>
+#include <isocast/apps/scene_build/scene_build.h>
+#include <isocast/render/features.h>
 
 #include <array>
 #include <string>
@@ -35,6 +35,13 @@ struct RenderWords {
 
 /// The layers of --aov, which only an EXR can hold.
 [[nodiscard]] std::vector<Layer> parse_layers(const RenderWords& words, bool exr);
+
+/// The looks of the iso-values, or of the components.
+[[nodiscard]] MaterialDescription materials_of(const RenderWords& words);
+
+/// How the scene is evaluated, and how its picture is shaded.
+[[nodiscard]] EvaluationSettings evaluation_of(const RenderWords& words);
+[[nodiscard]] RenderSettings settings_of(const RenderWords& words);
 
 /// The scene but its iso-values.
 [[nodiscard]] SceneDescription describe(const RenderWords& words);

@@ -93,7 +93,8 @@ void render_sample(const Frame& frame, int tx, int ty, int sample, HitStream* fo
 }
 
 // All samples of one block of tiles.
-void render_block(const Frame& frame, int bx, int by, Worker& worker, Target& target, Progress* progress) {
+void render_block(const Frame& frame, int bx, int by, Worker& worker, Target& target, std::stop_token stop,
+                  Progress* progress) {
   if (!worker.block) worker.block = std::make_unique_for_overwrite<BlockHits>();
   BlockHits& block = *worker.block;
   const int columns = std::min(kBlockTiles, tiles_along(frame.view.width()) - bx * kBlockTiles),
@@ -101,16 +102,18 @@ void render_block(const Frame& frame, int bx, int by, Worker& worker, Target& ta
   for (int sample = 0; sample < frame.settings.spp; ++sample) {
     double u = 0, v = 0;
     sample_offset(sample, u, v);
-    block.reset(frame.proves);
+    block.reset(frame.proves, stop);
     for (const auto& pass : frame.passes)
-      if (pass) pass->first_hits(bx, by, u, v, block, worker.counts.trace);
+      if (pass && !stop.stop_requested()) pass->first_hits(bx, by, u, v, block, worker.counts.trace);
     for (int y = 0; y < rows; ++y)
-      for (int x = 0; x < columns; ++x)
+      for (int x = 0; x < columns; ++x) {
+        if (stop.stop_requested()) return;
         render_sample(frame, bx * kBlockTiles + x, by * kBlockTiles + y, sample,
                       block.is_open(x, y) ? &block.tile(x, y) : nullptr, *worker.buffers, target,
                       worker.counts);
+        if (progress && sample + 1 == frame.settings.spp) progress->add();
+      }
   }
-  if (progress) progress->add(columns * rows);
 }
 
 Frame make_frame(const Scene& scene, const View& view, const RenderSettings& settings, const Film& film) {
@@ -167,9 +170,11 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
   if (frame.passes.empty())
     oneapi::tbb::parallel_for(std::int64_t(0), tile_count(view), [&](std::int64_t tile) {
       Worker& worker = workers.local();
-      for (int sample = 0; sample < settings.spp && !stop.stop_requested(); ++sample)
+      for (int sample = 0; sample < settings.spp; ++sample) {
+        if (stop.stop_requested()) return;
         render_sample(frame, static_cast<int>(tile % tiles), static_cast<int>(tile / tiles), sample, nullptr,
                       *worker.buffers, target, worker.counts);
+      }
       if (progress) progress->add();
     });
   else {
@@ -177,7 +182,7 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
               rows = (tiles_along(view.height()) + kBlockTiles - 1) / kBlockTiles;
     oneapi::tbb::parallel_for(0, blocks * rows, [&](int block) {
       if (stop.stop_requested()) return;
-      render_block(frame, block % blocks, block / blocks, workers.local(), target, progress);
+      render_block(frame, block % blocks, block / blocks, workers.local(), target, stop, progress);
     });
   }
   if (stop.stop_requested()) throw Interrupted();
