@@ -120,6 +120,15 @@ MaterialDescription materials_of(const RenderWords& words) {
   return materials;
 }
 
+CameraWishes camera_of(const RenderWords& words) {
+  CameraWishes camera{parse_vector(words.position, "--camera-position"),
+                      parse_vector(words.target, "--camera-target"), parse_vector(words.up, "--camera-up"),
+                      std::nullopt, std::nullopt};
+  if (!words.fov.empty()) camera.fov = parse_number(words.fov, "--fov");
+  if (!words.ortho.empty()) camera.ortho_height = parse_number(words.ortho, "--ortho");
+  return camera;
+}
+
 EvaluationSettings evaluation_of(const RenderWords& words) {
   return {isa_from_name(words.isa), words.precision == "double", words.precision == "mixed"};
 }
@@ -155,11 +164,7 @@ SceneDescription describe(const RenderWords& words) {
     object.clips.push_back(
         {parse_expression(typed_formula(word), parse_parameters(words.params, "--param"), "--clip"),
          parse_time(words)});
-  scene.camera = {parse_vector(words.position, "--camera-position"),
-                  parse_vector(words.target, "--camera-target"), parse_vector(words.up, "--camera-up"),
-                  std::nullopt, std::nullopt};
-  if (!words.fov.empty()) scene.camera.fov = parse_number(words.fov, "--fov");
-  if (!words.ortho.empty()) scene.camera.ortho_height = parse_number(words.ortho, "--ortho");
+  scene.camera = camera_of(words);
   scene.lights = parse_lights(words.lights);
   scene.shadows = words.shadows;
   scene.environment = words.environment;

@@ -39,6 +39,9 @@ struct RenderWords {
 /// The looks of the iso-values, or of the components.
 [[nodiscard]] MaterialDescription materials_of(const RenderWords& words);
 
+/// What is fixed of the camera.
+[[nodiscard]] CameraWishes camera_of(const RenderWords& words);
+
 /// How the scene is evaluated, and how its picture is shaded.
 [[nodiscard]] EvaluationSettings evaluation_of(const RenderWords& words);
 [[nodiscard]] RenderSettings settings_of(const RenderWords& words);

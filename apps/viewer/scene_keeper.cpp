@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+#include <isocast/apps/isocast/formula_input.h>
+#include <isocast/apps/isocast/parse_values.h>
+#include <isocast/apps/scene_build/applicable_methods.h>
+#include <isocast/apps/viewer/scene_keeper.h>
+#include <isocast/base/error.h>
+#include <isocast/render/environment_file.h>
+
+#include <utility>
+
+namespace isocast::viewer {
+namespace {
+
+bool is_volume(const RenderWords& words) {
+  return is_volume_file(words.input, parse_parameters(words.params, "--param"));
+}
+
+void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
+  list.push_back(fmt::format("{}", more.size()));
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+// What decides how rays are traced, beside the scene.
+std::vector<std::string> method_words(const RenderWords& words) {
+  std::vector<std::string> list = {words.method, words.precision, words.isa};
+  append(list, words.set);
+  return list;
+}
+
+}  // namespace
+
+std::vector<std::string> source_of(const RenderWords& words) {
+  std::vector<std::string> source = {words.input,   words.domain,    words.time,
+                                     words.normals, words.read.grid, words.by_component ? "components" : ""};
+  append(source, words.params);
+  append(source, words.clips);
+  if (!is_volume(words)) append(source, method_words(words));
+  return source;
+}
+
+void SceneKeeper::show(const RenderWords& words) {
+  const std::vector<std::string> source = source_of(words);
+  if (source == failed_) throw InputError(failure_);
+  try {
+    SceneDescription description = describe(words);
+    description.object.iso = parse_frames(words).front();
+    if (built_ && source == source_) change(words, description);
+    else build(words, description);
+    description_ = std::move(description);
+    words_ = words;
+    source_ = source;
+    failed_.clear();
+  } catch (const Interrupted&) {
+    failed_ = source;
+    failure_ = "loading was cancelled";
+    throw;
+  }
+}
+
+void SceneKeeper::build(const RenderWords& words, const SceneDescription& description) {
+  BuiltScene built = build_scene(description, evaluation_of(words));
+  built_ = std::move(built);
+  ++scene_;
+}
+
+void SceneKeeper::change(const RenderWords& words, const SceneDescription& description) {
+  const ObjectDescription& object = description.object;
+  if (method_words(words) != method_words(words_)) {
+    const std::string method = object.method == "auto" ? "marmitt" : object.method;
+    built_->change_method(method, object.settings, evaluation_of(words));
+    built_->method = method;
+    built_->method_reason.clear();
+    built_->proves = built_->scene.objects.front().surface->proves();
+  }
+  built_->set_iso(object.iso.empty() ? built_->iso : object.iso, object.materials);
+  built_->scene.lights = description.lights;
+  built_->scene.shadows = description.shadows;
+  if (words.environment != words_.environment)
+    built_->scene.environment =
+        words.environment.empty() ? nullptr : read_environment(words.environment);
+}
+
+SceneNews SceneKeeper::news() const {
+  SceneNews news;
+  news.any = any();
+  if (!any()) return news;
+  news.is_volume = built_->volume != nullptr;
+  news.proves = built_->proves;
+  news.bounds = built_->scene.bounds();
+  news.iso = built_->iso;
+  news.method = built_->method;
+  news.method_reason = built_->method_reason;
+  news.isa = std::string(name_of(evaluation_of(words_).isa));
+  if (built_->volume) news.type = std::string(built_->volume->type_name());
+  for (const Method& method : applicable_methods(description_.object))
+    news.methods.emplace_back(method.name);
+  news.features = built_->features;
+  news.left_out = built_->left_out;
+  news.volume_bytes = built_->volume_bytes;
+  news.acceleration_bytes = built_->acceleration_bytes;
+  news.load_ms = built_->load_ms;
+  news.build_ms = built_->build_ms;
+  news.scene = scene_;
+  return news;
+}
+
+}  // namespace isocast::viewer
