@@ -44,7 +44,7 @@ double PaperRows::seconds(std::string_view case_name, std::string_view method, s
 PictureCase paper_surface(std::string_view id, int size) {
   const CatalogueSurface& record = require_surface(id);
   PictureCase picture{"papers", record.id, {}, size, size};
-  picture.scene.object.source = FormulaSource{surface_expression(record), record.domain};
+  picture.scene.objects.front().source = FormulaSource{surface_expression(record), record.domain};
   return picture;
 }
 

@@ -69,8 +69,8 @@ PictureResult two_sheets(const PaperWishes& wishes) {
               {});
   const int size = wishes.quick ? 48 : 128;
   PictureCase picture{"papers", "two_roots", {}, size, size};
-  picture.scene.object.source = VolumeSource{file, {}};
-  picture.scene.object.iso = {0.6};
+  picture.scene.objects.front().source = VolumeSource{file, {}};
+  picture.scene.objects.front().iso = {0.6};
   picture.scene.camera.position = {0.5, -1.6, -1.4};
   picture.scene.camera.up = {1, 0, 0};
   PictureOptions options;

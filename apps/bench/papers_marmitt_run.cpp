@@ -57,12 +57,13 @@ void MarmittRun::run_scan(const ScanOfPaper& scan) {
                 {{scan.samples, scan.samples, scan.samples}, {}}, file, {.type = SampleType::u8});
   }
   picture.width = picture.height = wishes_.quick ? 64 : 256;
-  picture.scene.object.source = VolumeSource{file, {}};
+  picture.scene.objects.front().source = VolumeSource{file, {}};
   const BuiltScene built = build_scene(picture.scene, {});
   CellCase cells = volume_chords(built, primary_rays(picture, built.scene.bounds()), kPictureRays);
   cells.name = picture.name;
-  notes_.push_back(fmt::format("{}: iso-value {}, {} chords of {} rays.", picture.name, built.iso[0],
-                               grouped(std::ssize(cells.chords)), grouped(picture.rays())));
+  notes_.push_back(fmt::format("{}: iso-value {}, {} chords of {} rays.", picture.name,
+                               built.objects.front().iso[0], grouped(std::ssize(cells.chords)),
+                               grouped(picture.rays())));
   run(std::move(cells), scans_);
 }
 

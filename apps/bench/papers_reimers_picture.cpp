@@ -28,7 +28,7 @@ class ReimersPicture {
         hits_(rays_.size()) {
     use({reference_finder(), true});
     cast_all();
-    const auto& f = std::get<FormulaSource>(picture.scene.object.source);
+    const auto& f = std::get<FormulaSource>(picture.scene.objects.front().source);
     const DepthRange depths = depths_of(view_, surface().bounds());
     const double scale = largest_coefficient(f, *polynomial_degree(f.expression).degree, view_, depths);
     judge_.emplace(view_, depths, rays_, hits_, scale, wishes.part);
@@ -52,12 +52,12 @@ class ReimersPicture {
 
  private:
   static SceneDescription with(SceneDescription scene, NormalKind normals) {
-    scene.object.normals = normals;
+    scene.objects.front().normals = normals;
     return scene;
   }
   [[nodiscard]] const Surface& surface() const { return *built_.scene.objects.front().surface; }
   void use(const FinderWay& way) {
-    built_.change_method(way.setting.method, way.setting.set, {widest_isa(), way.precise});
+    built_.objects.front().change_method(way.setting.method, way.setting.set, {widest_isa(), way.precise});
   }
 
   // Every block of the picture; done(bx, by) with its hits in block_.

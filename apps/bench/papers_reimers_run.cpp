@@ -23,7 +23,7 @@ std::vector<FinderWay> common_ways() {
 
 // The camera of the surface's own domain before a domain that is kLarge times as long.
 PictureCase enlarged(PictureCase picture) {
-  auto& f = std::get<FormulaSource>(picture.scene.object.source);
+  auto& f = std::get<FormulaSource>(picture.scene.objects.front().source);
   Box box;
   for (std::size_t a = 0; a < 3; ++a) {
     double &lo = f.domain.lo[a], &hi = f.domain.hi[a];

@@ -41,11 +41,11 @@ class Bench {
     result_.picture = picture;
     rays_ = primary_rays(picture, surface().bounds());
     hits_.resize(rays_.size());
-    const bool volume = std::holds_alternative<VolumeSource>(picture.scene.object.source);
+    const bool volume = std::holds_alternative<VolumeSource>(picture.scene.objects.front().source);
     result_.unit_name = volume ? "voxels" : "domain widths";
-    result_.iso = built_.iso;
+    result_.iso = built_.objects.front().iso;
     result_.truth = solve_picture(picture.scene, built_, rays_, options.cache);
-    use(built_.method, {}, {widest_isa(), true});
+    use(built_.objects.front().method, {}, {widest_isa(), true});
     trace_picture(surface(), view_, rays_, hits_);
     add_normals(result_.truth, surface(), rays_, hits_);
     result_.right = picture_of_truth(result_.truth, rays_, picture.width);
@@ -53,7 +53,7 @@ class Bench {
 
   PictureResult run() {
     const std::vector<MethodSetting> settings =
-        options_.chosen.empty() ? method_settings(result_.picture.scene.object, options_.settings,
+        options_.chosen.empty() ? method_settings(result_.picture.scene.objects.front(), options_.settings,
                                                   longest_edge(surface().bounds()))
                                 : options_.chosen;
     for (const MethodSetting& setting : settings)
@@ -68,15 +68,15 @@ class Bench {
 
  private:
   static SceneDescription automatic(SceneDescription scene) {
-    scene.object.method = "auto";
-    scene.object.settings.clear();
+    scene.objects.front().method = "auto";
+    scene.objects.front().settings.clear();
     return scene;
   }
   [[nodiscard]] const Surface& surface() const { return *built_.scene.objects.front().surface; }
   void use(const std::string& method, const std::map<std::string, std::string>& set,
            const EvaluationSettings& evaluation) {
     throw_if_interrupted();
-    built_.change_method(method, set, evaluation);
+    built_.objects.front().change_method(method, set, evaluation);
     clear(hits_);
   }
 

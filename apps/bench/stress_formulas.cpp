@@ -192,8 +192,8 @@ std::vector<StressCase> stress_formulas() {
   for (const StressFormula& formula : formulas()) {
     StressCase& stress = cases.emplace_back(StressCase{
         std::string("formulas/") + formula.name, formula.stresses, {}, formula.rays, formula.expected});
-    stress.scene.object.source = source_of(formula);
-    stress.scene.object.iso = formula.iso;
+    stress.scene.objects.front().source = source_of(formula);
+    stress.scene.objects.front().iso = formula.iso;
   }
   return cases;
 }

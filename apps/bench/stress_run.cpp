@@ -84,13 +84,13 @@ StressResult run_stress(const StressCase& stress, const StressOptions& options) 
       solve_picture(stress.scene, built, rays, options.cache, {.max_operations = kMostOperations});
   truth.normals.resize(truth.rays.size());
 
-  for (const Method& method : applicable_methods(stress.scene.object, MethodWish::own_answers))
+  for (const Method& method : applicable_methods(stress.scene.objects.front(), MethodWish::own_answers))
     for (const char* precision : {"float", "double"}) {
       StressAnswer& answer =
           result.answers.emplace_back(new_answer(result.name, method, precision, options.isa));
       const bool precise = answer.row.precision == "double";
       const auto prepare = [&](std::size_t) {
-        built.change_method(answer.row.method, {}, {options.isa, precise});
+        built.objects.front().change_method(answer.row.method, {}, {options.isa, precise});
         clear_for(surface, hits);
       };
       const Timing timing =

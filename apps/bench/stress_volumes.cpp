@@ -228,8 +228,8 @@ std::vector<StressCase> stress_volumes(const std::filesystem::path& folder) {
     write(volume, file);
     StressCase& stress = cases.emplace_back(
         StressCase{std::string("volumes/") + volume.name, volume.stresses, {}, volume.rays, volume.expected});
-    stress.scene.object.source = VolumeSource{file, {}};
-    stress.scene.object.iso = volume.iso;
+    stress.scene.objects.front().source = VolumeSource{file, {}};
+    stress.scene.objects.front().iso = volume.iso;
   }
   return cases;
 }

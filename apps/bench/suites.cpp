@@ -71,7 +71,7 @@ std::vector<PictureCase> surface_cases(const SuiteWishes& wishes) {
     const int size = wishes.quick ? kQuickSize : surface.size;
     PictureCase& picture =
         cases.emplace_back(PictureCase{"surfaces", std::string(surface.id), {}, size, size});
-    picture.scene.object.source = FormulaSource{surface_expression(record), record.domain};
+    picture.scene.objects.front().source = FormulaSource{surface_expression(record), record.domain};
   }
   return cases;
 }
@@ -88,8 +88,8 @@ std::vector<PictureCase> volume_cases(const SuiteWishes& wishes) {
     const int size = wishes.quick ? kQuickSize : kVolumeSize;
     PictureCase& picture =
         cases.emplace_back(PictureCase{"volumes", std::string(volume.name), {}, size, size});
-    picture.scene.object.source = VolumeSource{file, {}};
-    picture.scene.object.iso = {volume.iso};
+    picture.scene.objects.front().source = VolumeSource{file, {}};
+    picture.scene.objects.front().iso = {volume.iso};
   }
   return cases;
 }

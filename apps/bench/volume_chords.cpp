@@ -59,11 +59,12 @@ void add_ray(const std::vector<CellCorners>& found, const Double3& o, const Doub
 }  // namespace
 
 CellCase volume_chords(const BuiltScene& built, const std::vector<RayStream>& rays, std::size_t most) {
-  if (!built.volume || built.iso.size() != 1)
+  if (!built.objects.front().volume || built.objects.front().iso.size() != 1)
     throw InputError("found a scene without a volume and one iso-value, expected both for chords");
-  const auto volume_cells = reference::cells_of(built.volume);
-  const Transform grid_from_world = built.volume->world_from_grid.inverse();
-  const double iso = (built.iso[0] - built.volume->intercept) / built.volume->slope;
+  const auto volume_cells = reference::cells_of(built.objects.front().volume);
+  const Transform grid_from_world = built.objects.front().volume->world_from_grid.inverse();
+  const double iso = (built.objects.front().iso[0] - built.objects.front().volume->intercept) /
+                     built.objects.front().volume->slope;
   CellCase cells;
   each_ray(rays, [&](std::size_t s, int i) {
     throw_if_interrupted();

@@ -47,8 +47,8 @@ PictureCase input_case(const BenchWords& words) {
     throw InputError(fmt::format("'{}' is no suite (these are {}), and as a formula: {}", picture.name,
                                  suite_names(), error.what()));
   }
-  if (!scene.iso.empty()) picture.scene.object.iso = parse_numbers(scene.iso, "--iso");
-  if (std::holds_alternative<VolumeSource>(picture.scene.object.source))
+  if (!scene.iso.empty()) picture.scene.objects.front().iso = parse_numbers(scene.iso, "--iso");
+  if (std::holds_alternative<VolumeSource>(picture.scene.objects.front().source))
     picture.name = std::filesystem::path(picture.name).filename().string();
   return picture;
 }

@@ -12,9 +12,10 @@ namespace {
 
 BuiltScene scene_of(const CatalogueSurface& surface, const SheetWishes& wishes) {
   SceneDescription description;
-  description.object.source = FormulaSource{surface_expression(surface), surface.domain, wishes.time};
-  description.object.method = wishes.method;
-  description.object.settings = wishes.settings;
+  description.objects.front().source =
+      FormulaSource{surface_expression(surface), surface.domain, wishes.time};
+  description.objects.front().method = wishes.method;
+  description.objects.front().settings = wishes.settings;
   return build_scene(description, wishes.evaluation);
 }
 

@@ -124,16 +124,16 @@ void run(const ProbeWords& words) {
   const auto [width, height] = parse_size(words.scene.size);
   const std::array<int, 2> pixel = parse_pixel(words.pixel, width, height);
   SceneDescription description = describe(words.scene);
-  description.object.iso = parse_frames(words.scene).front();
-  const std::vector<ProbeMethod> methods = methods_of(description.object);
+  description.objects.front().iso = parse_frames(words.scene).front();
+  const std::vector<ProbeMethod> methods = methods_of(description.objects.front());
   const Isa isa = isa_from_name(words.scene.isa);
   const BuiltScene built = build_scene(description, {isa, false});
   const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
   const Probe probe = probe_ray(description, built, view, pixel[0], pixel[1], methods, isa);
   check_mapped_files();
 
-  if (words.as_json) fmt::print("{}\n", json_of(probe, pixel, built.iso).dump(2));
-  else print(probe, built.iso, built.volume ? "voxels" : "domain widths");
+  if (words.as_json) fmt::print("{}\n", json_of(probe, pixel, built.objects.front().iso).dump(2));
+  else print(probe, built.objects.front().iso, built.objects.front().volume ? "voxels" : "domain widths");
   std::string contradictions;
   for (const ProbeAnswer& a : probe.answers)
     if (!a.contradiction.empty())

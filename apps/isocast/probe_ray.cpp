@@ -104,7 +104,7 @@ Probe probe_ray(const SceneDescription& description, const BuiltScene& built, co
   const reference::RayRoot* const first = bench::first_crossing(probe.truth);
   for (const auto& [method, settings] : methods)
     for (const bool precise : {false, true}) {
-      built.change_method(method, settings, {isa, precise});
+      built.objects.front().change_method(method, settings, {isa, precise});
       TraceCounts counts;
       ray->trace(surface, counts);
       const HitStream& hits = ray->hits;

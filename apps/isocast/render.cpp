@@ -47,7 +47,7 @@ void run(const RenderWords& words) {
   const std::vector<Layer> layers = parse_layers(words, exr);
   const std::vector<std::vector<double>> frames = parse_frames(words);
   SceneDescription description = describe(words);
-  description.object.iso = frames.front();
+  description.objects.front().iso = frames.front();
   const EvaluationSettings evaluation = evaluation_of(words);
   const int threads = words.threads > 0 ? words.threads : oneapi::tbb::info::default_concurrency();
   const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
@@ -57,15 +57,15 @@ void run(const RenderWords& words) {
   if (!words.stats.empty() && words.stats != "-") { const OutputFile writable(words.stats); }
 
   BuiltScene built = build_scene(description, evaluation);
-  if (!built.proves && std::ranges::find(layers, Layer::certificate) != layers.end())
+  if (!built.proves() && std::ranges::find(layers, Layer::certificate) != layers.end())
     throw InputError(
         fmt::format("--aov certificate: the method {} proves nothing with these options ('isocast methods' "
                     "says which do)",
-                    built.method));
+                    built.objects.front().method));
   const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
   const RenderSettings settings = settings_of(words);
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (i > 0) built.set_iso(frames[i], description.object.materials);
+    if (i > 0) built.set_iso(0, frames[i], description.objects.front().materials);
     Film film(width, height, layers);
     const Clock::time_point render_start = Clock::now();
     RenderCounts counts;

@@ -144,8 +144,8 @@ RenderSettings settings_of(const RenderWords& words) {
 
 SceneDescription describe(const RenderWords& words) {
   SceneDescription scene;
-  ObjectDescription& object = scene.object;
-  object.source = find_source(words);
+  ObjectDescription& object = scene.objects.front();
+  std::visit([&](auto&& source) { object.source = std::move(source); }, find_source(words));
   object.method = words.method;
   for (const std::string& word : words.set) object.settings.insert(parse_key_value(word, "--set"));
   object.materials = materials_of(words);

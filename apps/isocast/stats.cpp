@@ -15,15 +15,16 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
   left_out.insert(left_out.end(), r.features.left_out.begin(), r.features.left_out.end());
 
   (r.counts.passes > 0 ? features : left_out).push_back("primary pass");
-  if (r.built.volume) (r.counts.passes > 0 ? features : left_out).push_back("bit masks");
+  const BuiltObject& object = r.built.objects.front();
+  if (object.volume) (r.counts.passes > 0 ? features : left_out).push_back("bit masks");
 
   json stats = {{"version", version},
                 {"isa", r.isa},
                 {"precision", r.precision},
                 {"threads", r.threads},
-                {"method", r.built.method}};
-  if (!r.built.method_reason.empty()) stats["method_reason"] = r.built.method_reason;
-  stats["iso"] = r.built.iso;
+                {"method", object.method}};
+  if (!object.method_reason.empty()) stats["method_reason"] = object.method_reason;
+  stats["iso"] = object.iso;
   stats["size"] = {r.width, r.height};
   stats["spp"] = r.spp;
   stats["features"] = features;

@@ -24,7 +24,8 @@ Material material_of(const MaterialDescription& description, std::size_t i) {
     return list.empty() ? otherwise : static_cast<decltype(otherwise)>(list[i % list.size()]);
   };
   return {repeated(description.colors, color_from_hex(palette[i % std::size(palette)])),
-          repeated(description.opacities, 1.0f), repeated(description.reflectivities, 0.0f)};
+          repeated(description.opacities, 1.0f), repeated(description.reflectivities, 0.0f),
+          repeated(description.speculars, Material{}.specular)};
 }
 
 }  // namespace isocast

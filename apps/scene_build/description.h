@@ -1,6 +1,7 @@
 // What the user asked for, as plain data: nothing is loaded yet.
 #pragma once
 
+#include <isocast/implicit/expression/parse.h>
 #include <isocast/implicit/implicit_surface.h>
 #include <isocast/render/camera.h>
 #include <isocast/scene/scene.h>
@@ -9,26 +10,49 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace isocast {
 
+struct ObjectDescription;
+
 struct VolumeSource {
   std::filesystem::path file;
   ReadOptions read;
 };
+/// text, parameters  what the expression was made of, in a scene file (formula_input.h): parameters may be
+///                   animated
 struct FormulaSource {
   Expression expression;
   Domain domain;
   double time = 0;
+  std::string text = {};
+  Parameters parameters = {};
+};
+/// Triangles of an .obj or .ply file.
+struct MeshSource {
+  std::filesystem::path file;
+};
+enum class CsgOperation : std::uint8_t { unite, intersect, subtract };
+/// A solid of closed objects; subtract: the first without all the others.
+struct CsgSource {
+  CsgOperation operation = CsgOperation::unite;
+  std::vector<ObjectDescription> of;
+};
+/// The object of that name once more at each of the places, with materials of its own where there are some.
+struct InstanceSource {
+  std::string of;
+  std::vector<Transform> places;
 };
 
-/// Each list is repeated over the iso-values. Empty: the default palette, opaque, without reflections.
+/// Each list is repeated over the iso-values. Empty: the default palette, opaque, without reflections, and
+/// Material's highlight.
 struct MaterialDescription {
   std::vector<Color> colors;
-  std::vector<double> opacities, reflectivities;
+  std::vector<double> opacities, reflectivities, speculars = {};
 };
 
 /// The points where the formula is not positive at this time.
@@ -37,28 +61,64 @@ struct SolidDescription {
   double time = 0;
 };
 
-/// Iso-surfaces of a volume (`iso` in the file's scaled units; empty: the best of suggested_iso) or of a
-/// formula in a box (empty: 0). `by_component`: the materials are those of the operands of
-/// the min and max in which the formula ends. `clips`: only what lies in all of them is there.
-struct ObjectDescription {
-  std::variant<VolumeSource, FormulaSource> source;
-  std::vector<double> iso;
-  MaterialDescription materials;
-  std::string method = "auto";
-  std::map<std::string, std::string> settings;
-  NormalKind normals = NormalKind::gradient;
-  bool by_component = false;
-  std::vector<SolidDescription> clips;
+/// Colours from another field at the exact hit: a volume's interpolated value or a formula's, from `lo` to
+/// `hi` along a map (color_map.h). Without a range: the volume's, or [-1, 1].
+struct ColorBy {
+  std::variant<VolumeSource, FormulaSource> field;
+  std::string map = "viridis";  // a name or a ParaView .json
+  std::optional<std::array<double, 2>> range = {};
+  bool logarithmic = false;
+  Color nan_color = {0.5f, 0.5f, 0.5f};
 };
 
-/// A scene of one object, its lights and environment (a picture of all directions; empty: none), and what is
-/// fixed of its camera.
+/// Iso-surfaces of a volume (`iso` in the file's scaled units; empty: the best of suggested_iso) or of a
+/// formula in a box (empty: 0), a mesh, a solid of others, or copies of one. `by_component`: the materials
+/// are those of the operands of the min and max in which the formula ends. place: from its own space into the
+/// world's. `clips`: only what lies in all of them is there, in the world's space.
+struct ObjectDescription {
+  std::string name = {};
+  std::variant<VolumeSource, FormulaSource, MeshSource, CsgSource, InstanceSource> source = {};
+  std::vector<double> iso = {};
+  MaterialDescription materials = {};
+  std::string method = "auto";
+  std::map<std::string, std::string> settings = {};
+  NormalKind normals = NormalKind::gradient;
+  bool by_component = false;
+  std::vector<SolidDescription> clips = {};
+  Transform place = {};
+  std::optional<ColorBy> color_by = {};
+};
+
+/// What is fixed at a frame; what a key does not name is interpolated between those that do.
+struct AnimationKey {
+  int frame = 0;
+  std::optional<double> time;
+  std::optional<CameraWishes> camera;
+  std::map<std::string, double> parameters;        // "object.name"
+  std::map<std::string, std::vector<double>> iso;  // by object
+};
+/// Frames first to last; keys by rising frame. Without keys: the numbers of file sequences only.
+struct Animation {
+  int first = 0, last = 0;
+  std::vector<AnimationKey> keys;
+};
+
+/// A scene of one object until others are added, its lights and environment (a picture of all directions;
+/// empty: none), and what is fixed of its camera.
+///
+/// cameras            by name; `camera` is the one in use
+/// ambient_occlusion  rays from every hit; 0: none
 struct SceneDescription {
-  ObjectDescription object;
+  std::vector<ObjectDescription> objects = std::vector<ObjectDescription>(1);
   CameraWishes camera;
+  std::map<std::string, CameraWishes> cameras;
   std::vector<Double3> lights;
   bool shadows = false;
+  int ambient_occlusion = 0;
+  Color background = {1, 1, 1};
   std::filesystem::path environment;
+  double time = 0;
+  std::optional<Animation> animation;
 };
 
 /// "#rrggbb", sRGB, as linear RGB; throws InputError for anything else.

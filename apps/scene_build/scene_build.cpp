@@ -1,166 +1,64 @@
 #include <fmt/format.h>
 #include <isocast/apps/scene_build/scene_build.h>
 #include <isocast/base/error.h>
-#include <isocast/base/mapped_file.h>
-#include <isocast/implicit/automatic.h>
-#include <isocast/implicit/formula_region.h>
-#include <isocast/ray/clipped_surface.h>
 #include <isocast/render/environment_file.h>
-#include <isocast/volume/statistics.h>
 
-#include <chrono>
+#include <algorithm>
 
 namespace isocast {
 namespace {
 
-double ms_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+void add_missing(std::vector<std::string>& list, const std::vector<std::string>& more) {
+  for (const std::string& word : more)
+    if (std::ranges::find(list, word) == list.end()) list.push_back(word);
 }
 
-std::vector<double> best_iso(const Volume& volume, const std::filesystem::path& file) {
-  const VolumeStatistics statistics = statistics_of(volume);
-  check_mapped_files();
-  if (statistics.suggested_iso.empty())
-    throw InputError(fmt::format(
-        "{}: no iso-value suggests itself (it has no two different finite values); give one with --iso",
-        file.string()));
-  return {statistics.suggested_iso.front()};
-}
-
-using Clock = std::chrono::steady_clock;
-
-// What is used goes to the features, the rest to what was left out.
-void list(BuiltScene& built, bool used, const char* name) {
-  (used ? built.features : built.left_out).push_back(name);
-}
-
-// Whether a method has the precision that is asked for.
-void check_precision(const Method& method, const EvaluationSettings& settings) {
-  if (settings.mixed_precision && method.precisions.find("mixed") == std::string_view::npos)
-    throw InputError(
-        fmt::format("--precision mixed: the method {} has only {}", method.name, method.precisions));
-}
-
-// A surface made with these options, which its iso-values and its method may change in later. choose: the
-// row of the method table.
-template <class SurfaceKind, class Options, class Choose>
-void add_object(BuiltScene& built, const std::shared_ptr<SurfaceKind>& surface, const Options& options,
-                Choose choose) {
-  built.iso = options.iso;
-  built.proves = surface->proves();
-  built.scene.objects.push_back({surface, {}});
-  const auto current = std::make_shared<Options>(options);
-  built.move_surface = [=](const std::vector<double>& iso) {
-    current->iso = iso;
-    surface->set_options(*current);
-  };
-  built.change_method = [=](const std::string& name, const std::map<std::string, std::string>& settings,
-                            const EvaluationSettings& evaluation) {
-    current->method = choose(name, settings);
-    current->double_precision = evaluation.double_precision;
-    current->isa = evaluation.isa;
-    surface->set_options(*current);
-  };
-}
-
-void build(BuiltScene& built, const VolumeSource& source, const ObjectDescription& wanted,
-           const EvaluationSettings& settings) {
-  VolumeSurfaceOptions options;
-  options.method = choose_cell_method(wanted.method, wanted.settings);
-  options.double_precision = settings.double_precision;
-  options.isa = settings.isa;
-  options.normals = wanted.normals;
-  const Method& method = volume_methods()[static_cast<std::size_t>(options.method.method)];
-  check_precision(method, settings);
-  built.method = std::string(method.name);
-  if (wanted.method == "auto")
-    built.method_reason = "the first root of the exact cubic, isolated: right and fastest of those that are";
-
-  auto start = Clock::now();
-  const auto volume = std::make_shared<const Volume>(read_volume(source.file, source.read));
-  options.iso = wanted.iso.empty() ? best_iso(*volume, source.file) : wanted.iso;
-  built.load_ms = ms_since(start);
-
-  start = Clock::now();
-  const auto surface = std::make_shared<VolumeSurface>(volume, options);
-  built.build_ms = ms_since(start);
-  built.volume = volume;
-  built.volume_bytes = volume->bytes();
-  built.acceleration_bytes = static_cast<std::int64_t>(surface->acceleration_bytes());
-  add_object(built, surface, options, choose_cell_method);
-
-  built.features = {"volume", fmt::format("iso:{}", options.iso.size()),
-                    fmt::format("format:{}", volume->format)};
-  list(built, volume->tree != nullptr, "sparse tree");
-  list(built, volume->tree == nullptr, "macrocells");
-  list(built, volume->mapped, "memory mapping");
-  list(built, !volume->mapped, "copy of the samples");
-  list(built, wanted.iso.empty(), "statistics");
-  list(built, volume->format == "nifti", "module:nifti");
-  list(built, volume->format == "vdb", "process:openvdb");
-}
-
-void build(BuiltScene& built, const FormulaSource& source, const ObjectDescription& wanted,
-           const EvaluationSettings& settings) {
-  ImplicitSurfaceOptions options;
-  const bool automatic = wanted.method == "auto";
-  options.method = choose_formula_method(automatic ? "affine" : wanted.method, wanted.settings);
-  options.double_precision = settings.double_precision;
-  options.mixed_precision = settings.mixed_precision;
-  options.isa = settings.isa;
-  options.time = source.time;
-  options.normals = wanted.normals;
-  options.components = wanted.by_component;
-  if (!wanted.iso.empty()) options.iso = wanted.iso;
-  if (automatic) {
-    const AutomaticMethod choice = choose_automatically(source.expression, source.domain, options);
-    options.method.method = choice.method, options.method.pass = choice.pass;
-    built.method_reason = choice.reason;
+// What the objects need together; what one of them uses was not left out.
+void add_up(BuiltScene& built) {
+  for (const BuiltObject& object : built.objects) {
+    add_missing(built.features, object.features);
+    add_missing(built.left_out, object.left_out);
+    built.load_ms += object.load_ms;
+    built.build_ms += object.build_ms;
+    built.volume_bytes += object.volume_bytes;
+    built.acceleration_bytes += object.acceleration_bytes;
   }
-  const Method& method = find_method(formula_methods(), name_of(options.method));
-  check_precision(method, settings);
-  built.method = std::string(method.name);
-
-  const auto start = Clock::now();
-  const auto surface = std::make_shared<ImplicitSurface>(source.expression, source.domain, options);
-  built.build_ms = ms_since(start);
-  add_object(built, surface, options, choose_formula_method);
-  built.features = {"formula", fmt::format("iso:{}", options.iso.size())};
-  if (wanted.by_component) built.components = static_cast<std::size_t>(surface->component_count());
-  list(built, wanted.by_component, "components");
-  for (const char* part : {"volume", "acceleration structure", "statistics"}) list(built, false, part);
-}
-
-void clip(BuiltScene& built, const std::vector<SolidDescription>& solids) {
-  list(built, !solids.empty(), "clip solids");
-  if (solids.empty()) return;
-  std::vector<std::shared_ptr<const Region>> regions;
-  for (const SolidDescription& solid : solids)
-    regions.push_back(std::make_shared<FormulaRegion>(solid.formula, solid.time));
-  SceneObject& object = built.scene.objects.back();
-  object.surface = std::make_shared<ClippedSurface>(
-      object.surface, std::move(regions), static_cast<std::uint16_t>(built.scene.objects.size() - 1));
+  std::erase_if(built.left_out, [&](const std::string& word) {
+    return std::ranges::find(built.features, word) != built.features.end();
+  });
 }
 
 }  // namespace
 
-void BuiltScene::set_iso(const std::vector<double>& values, const MaterialDescription& materials) {
-  iso = values;
-  move_surface(iso);
-  SceneObject& object = scene.objects.front();
-  object.materials.clear();
-  const std::size_t count = components > 0 ? components : iso.size();
-  for (std::size_t i = 0; i < count; ++i) object.materials.push_back(material_of(materials, i));
-  object.by_component = components > 0;
+void BuiltScene::set_iso(std::size_t object, const std::vector<double>& iso,
+                         const MaterialDescription& materials) {
+  BuiltObject& moved = objects[object];
+  moved.iso = iso;
+  moved.move_surface(iso);
+  SceneObject& shown = scene.objects[moved.place];
+  shown.materials.clear();
+  const std::size_t count = moved.components > 0 ? moved.components : iso.size();
+  for (std::size_t i = 0; i < count; ++i) shown.materials.push_back(material_of(materials, i));
+  shown.by_component = moved.components > 0;
 }
 
+bool BuiltScene::proves() const { return std::ranges::any_of(objects, &BuiltObject::proves); }
+
 BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings) {
+  if (description.objects.empty() || description.objects.size() >= kNoObject)
+    throw InputError(
+        fmt::format("found {} objects, expected 1 to {}", description.objects.size(), kNoObject - 1));
   BuiltScene built;
-  const ObjectDescription& object = description.object;
+  built.scene.background = description.background;
   if (!description.environment.empty()) built.scene.environment = read_environment(description.environment);
-  std::visit([&](const auto& source) { build(built, source, object, settings); }, object.source);
-  clip(built, object.clips);
-  built.set_iso(built.iso, object.materials);
+  for (const ObjectDescription& wanted : description.objects) {
+    ObjectSurface object =
+        build_object(wanted, settings, static_cast<std::uint16_t>(built.scene.objects.size()));
+    built.scene.objects.push_back({std::move(object.surface), {}});
+    built.objects.push_back(std::move(object.built));
+    built.set_iso(built.objects.size() - 1, built.objects.back().iso, wanted.materials);
+  }
+  add_up(built);
   built.scene.lights = description.lights;
   built.scene.shadows = description.shadows;
   return built;

@@ -43,7 +43,7 @@ void SceneKeeper::show(const RenderWords& words) {
   if (source == failed_) throw InputError(failure_);
   try {
     SceneDescription description = describe(words);
-    description.object.iso = parse_frames(words).front();
+    description.objects.front().iso = parse_frames(words).front();
     if (built_ && source == source_) change(words, description);
     else build(words, description);
     description_ = std::move(description);
@@ -64,15 +64,16 @@ void SceneKeeper::build(const RenderWords& words, const SceneDescription& descri
 }
 
 void SceneKeeper::change(const RenderWords& words, const SceneDescription& description) {
-  const ObjectDescription& object = description.object;
+  const ObjectDescription& object = description.objects.front();
+  BuiltObject& first = built_->objects.front();
   if (method_words(words) != method_words(words_)) {
     const std::string method = object.method == "auto" ? "marmitt" : object.method;
-    built_->change_method(method, object.settings, evaluation_of(words));
-    built_->method = method;
-    built_->method_reason.clear();
-    built_->proves = built_->scene.objects.front().surface->proves();
+    first.change_method(method, object.settings, evaluation_of(words));
+    first.method = method;
+    first.method_reason.clear();
+    first.proves = built_->scene.objects.front().surface->proves();
   }
-  built_->set_iso(object.iso.empty() ? built_->iso : object.iso, object.materials);
+  built_->set_iso(0, object.iso.empty() ? first.iso : object.iso, object.materials);
   built_->scene.lights = description.lights;
   built_->scene.shadows = description.shadows;
   if (words.environment != words_.environment)
@@ -84,15 +85,16 @@ SceneNews SceneKeeper::news() const {
   SceneNews news;
   news.any = any();
   if (!any()) return news;
-  news.is_volume = built_->volume != nullptr;
-  news.proves = built_->proves;
+  const BuiltObject& first = built_->objects.front();
+  news.is_volume = first.volume != nullptr;
+  news.proves = built_->proves();
   news.bounds = built_->scene.bounds();
-  news.iso = built_->iso;
-  news.method = built_->method;
-  news.method_reason = built_->method_reason;
+  news.iso = first.iso;
+  news.method = first.method;
+  news.method_reason = first.method_reason;
   news.isa = std::string(name_of(evaluation_of(words_).isa));
-  if (built_->volume) news.type = std::string(built_->volume->type_name());
-  for (const Method& method : applicable_methods(description_.object))
+  if (first.volume) news.type = std::string(first.volume->type_name());
+  for (const Method& method : applicable_methods(description_.objects.front()))
     news.methods.emplace_back(method.name);
   news.features = built_->features;
   news.left_out = built_->left_out;

@@ -10,11 +10,12 @@ namespace {
 
 Vec3<double> vec(const Double3& v) { return {v[0], v[1], v[2]}; }
 
-Color lit(const Color& surface, double facing, double highlight) {
-  constexpr float kDiffuse = 0.75f, kSpecular = 0.12f;
+Color lit(const Material& surface, double facing, double highlight) {
+  constexpr float kDiffuse = 0.75f;
   Color color;
   for (int c = 0; c < 3; ++c)
-    color[c] = kDiffuse * static_cast<float>(facing) * surface[c] + kSpecular * static_cast<float>(highlight);
+    color[c] = kDiffuse * static_cast<float>(facing) * surface.color[c] +
+               surface.specular * static_cast<float>(highlight);
   return color;
 }
 
@@ -25,16 +26,16 @@ Color ambient(const Color& surface) {
   return {kAmbient * surface[0], kAmbient * surface[1], kAmbient * surface[2]};
 }
 
-Color lit(const Color& surface, const Double3& normal, const Double3& to_light, const Double3& to_eye) {
+Color lit(const Material& surface, const Double3& normal, const Double3& to_light, const Double3& to_eye) {
   const auto [facing, highlight] = incidence(vec(normal), vec(to_light), vec(to_eye));
   return lit(surface, facing, highlight);
 }
 
 void shade(const Frame& frame, const Wave& wave, Shadows& shadows, Color (&colors)[kStreamSize],
            RenderCounts& counts) {
-  const auto surface = [&](int i) { return material_of(frame.scene, *wave.hits, i).color; };
+  const auto surface = [&](int i) { return material_of(frame.scene, *wave.hits, i); };
   for (int i = 0; i < wave.rays.size; ++i)
-    if (is_hit(*wave.hits, i)) colors[i] = ambient(surface(i));
+    if (is_hit(*wave.hits, i)) colors[i] = ambient(surface(i).color);
 
   const std::size_t lights = std::max<std::size_t>(1, frame.lights.size());
   const float strength = 1 / static_cast<float>(lights);

@@ -5,11 +5,11 @@
 
 namespace isocast {
 
-/// Blinn and Phong's model, in two parts: 15 % ambient; of each white light 75 % diffuse and a weak
-/// highlight. All vectors have unit length: `normal` faces the viewer, `to_light` and `to_eye` point away
-/// from the surface.
+/// Blinn and Phong's model, in two parts: 15 % ambient; of each white light 75 % diffuse and the
+/// material's highlight. All vectors have unit length: `normal` faces the viewer, `to_light` and `to_eye`
+/// point away from the surface.
 [[nodiscard]] Color ambient(const Color& surface);
-[[nodiscard]] Color lit(const Color& surface, const Double3& normal, const Double3& to_light,
+[[nodiscard]] Color lit(const Material& surface, const Double3& normal, const Double3& to_light,
                         const Double3& to_eye);
 
 /// The colour of every hit of a wave, without what it mirrors. n lights have 1/n of the strength each, so

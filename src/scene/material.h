@@ -12,9 +12,10 @@ using Color = std::array<float, 3>;
 ///
 /// opacity       share of the light from behind that it keeps out, 0 to 1
 /// reflectivity  share of its colour that comes from the mirrored ray, 0 to 1
+/// specular      strength of the white highlight, 0 to 1
 struct Material {
   Color color = {1, 1, 1};
-  float opacity = 1, reflectivity = 0;
+  float opacity = 1, reflectivity = 0, specular = 0.12f;
 };
 
 }  // namespace isocast

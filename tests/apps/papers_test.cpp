@@ -155,7 +155,7 @@ TEST_CASE("nodes of collocation: condition numbers that are known") {
 
 TEST_CASE("a ball through root finders: steps, errors, edges, times") {
   PictureCase picture = paper_surface("sphere", 256);
-  picture.scene.object.source = FormulaSource{parse_expression("x^2+y^2+z^2-0.5"), {}};
+  picture.scene.objects.front().source = FormulaSource{parse_expression("x^2+y^2+z^2-0.5"), {}};
   ReimersWishes wishes{{{finder("frustum-lr")}, {finder("frustum-schneider"), true}}, {}, 1, {}};
   wishes.part = {{-2, -2, 0}, {2, 2, 2}};
   const ReimersFindings found = run_finders(picture, wishes);
@@ -203,8 +203,8 @@ TEST_CASE("chords of a volume end at the first crossing and hold both sides") {
   PictureCase picture{"papers", "ball", {}, 32, 32};
   const std::filesystem::path file = folder / "ball.nrrd";
   write_field(formula_field(parse_expression("x^2+y^2+z^2")), {{12, 12, 12}, {}}, file, {});
-  picture.scene.object.source = VolumeSource{file, {}};
-  picture.scene.object.iso = {0.5};
+  picture.scene.objects.front().source = VolumeSource{file, {}};
+  picture.scene.objects.front().iso = {0.5};
   const BuiltScene built = build_scene(picture.scene, {});
   const std::vector<RayStream> rays = primary_rays(picture, built.scene.bounds());
   const CellCase cells = volume_chords(built, rays, 1000000);

@@ -67,7 +67,7 @@ struct Pixels {
 
 PictureCase ball(int size) {
   PictureCase picture{"input", "ball", {}, size, size};
-  picture.scene.object.source = FormulaSource{parse_expression("x^2+y^2+z^2-0.5"), {}};
+  picture.scene.objects.front().source = FormulaSource{parse_expression("x^2+y^2+z^2-0.5"), {}};
   return picture;
 }
 
@@ -150,7 +150,7 @@ TEST_CASE("roots by the decade of their condition") {
 
 TEST_CASE("each method is run as it is, and swept along its own knob") {
   const PictureCase formula = ball(16);
-  const std::vector<MethodSetting> all = method_settings(formula.scene.object, {}, 8);
+  const std::vector<MethodSetting> all = method_settings(formula.scene.objects.front(), {}, 8);
   const auto texts = [&](std::string_view method) {
     std::vector<std::string> found;
     for (const MethodSetting& setting : all)
@@ -168,21 +168,22 @@ TEST_CASE("each method is run as it is, and swept along its own knob") {
   CHECK(texts("frustum-lr")[1] == "eps=0.015625");
   CHECK(texts("frustum-lr").back() == "certify=0");
   PictureCase wave = formula;
-  wave.scene.object.source = FormulaSource{parse_expression("sin(x)+y"), {}};
-  for (const MethodSetting& setting : method_settings(wave.scene.object, {}, 2))
+  wave.scene.objects.front().source = FormulaSource{parse_expression("sin(x)+y"), {}};
+  for (const MethodSetting& setting : method_settings(wave.scene.objects.front(), {}, 2))
     CHECK_THAT(setting.method, !Catch::StartsWith("frustum"));  // sin is no polynomial
   PictureCase volume;
-  volume.scene.object.source = VolumeSource{};
-  const auto marmitt = method_settings(volume.scene.object, {.wanted = {"marmitt"}, .set = {}}, 1);
+  volume.scene.objects.front().source = VolumeSource{};
+  const auto marmitt = method_settings(volume.scene.objects.front(), {.wanted = {"marmitt"}, .set = {}}, 1);
   CHECK(marmitt.size() == 9);
   CHECK(marmitt.back().text == "iterations=10");
 
   const SettingWishes wishes{.wanted = {"affine"}, .set = {{"eps-rel", "0.01"}}};
-  const auto one = method_settings(formula.scene.object, wishes, 8);
+  const auto one = method_settings(formula.scene.objects.front(), wishes, 8);
   REQUIRE(one.size() == 1);
   CHECK(one[0].text == "eps-rel=0.01");
   CHECK_FALSE(one[0].swept);
-  CHECK_THROWS_AS(method_settings(formula.scene.object, {.wanted = {"marmitt"}, .set = {}}, 8), InputError);
+  CHECK_THROWS_AS(method_settings(formula.scene.objects.front(), {.wanted = {"marmitt"}, .set = {}}, 8),
+                  InputError);
 }
 
 TEST_CASE("a ball through two methods: rows, errors, fronts") {

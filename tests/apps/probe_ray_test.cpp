@@ -68,7 +68,7 @@ TEST_CASE("proofs that cannot be") {
 
 TEST_CASE("one pixel of a sphere by two methods") {
   SceneDescription description;
-  description.object.source =
+  description.objects.front().source =
       FormulaSource{parse_expression("x^2 + y^2 + z^2 - 1"), {{-2, -2, -2}, {2, 2, 2}}};
   const BuiltScene built = build_scene(description, {});
   const View view({{-5, 0, 0}, {0, 0, 0}, {0, 0, 1}, 45, {}}, 33, 21);

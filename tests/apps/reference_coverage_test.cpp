@@ -21,7 +21,7 @@ const char* name_of(reference::Doubt doubt) {
 // All rays of the default camera, without a cache.
 PictureTruth truth_of(const CatalogueSurface& record, int size) {
   PictureCase picture{"surfaces", record.id, {}, size, size};
-  picture.scene.object.source = FormulaSource{surface_expression(record), record.domain};
+  picture.scene.objects.front().source = FormulaSource{surface_expression(record), record.domain};
   const BuiltScene built = build_scene(picture.scene, {});
   return solve_picture(picture.scene, built, primary_rays(picture, built.scene.bounds()), {});
 }

@@ -87,8 +87,8 @@ TEST_CASE("a formula in its box: clipped, for several iso-values, with condition
 
 TEST_CASE("the reference of a scene is that of its object") {
   SceneDescription description;
-  description.object.source = FormulaSource{parse_expression("x + w"), cube(1), 0.25};
-  description.object.iso = {0.5};
+  description.objects.front().source = FormulaSource{parse_expression("x + w"), cube(1), 0.25};
+  description.objects.front().iso = {0.5};
   const BuiltScene built = build_scene(description, {});
   const RayTruth truth = make_reference(description, built)->solve({-2, 0, 0}, {1, 0, 0}, 0, 10);
   REQUIRE(truth.roots.size() == 1);

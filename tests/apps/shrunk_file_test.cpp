@@ -18,8 +18,8 @@ TEST_CASE("a volume file that shrinks before its picture is done is told") {
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<char>(4 * (i % 64));
   write_text_file(file, samples);
   SceneDescription description;
-  description.object.source = VolumeSource{file, {}};
-  description.object.iso = {128};
+  description.objects.front().source = VolumeSource{file, {}};
+  description.objects.front().iso = {128};
   const BuiltScene built = build_scene(description, {});
   REQUIRE(std::ranges::count(built.features, "memory mapping") == 1);
 

@@ -119,13 +119,13 @@ TEST_CASE("hostile numbers: the same bits on every instruction set", "[property]
     BuiltScene built = build_scene(stress.scene, {});
     const Surface& surface = *built.scene.objects.front().surface;
     const std::vector<RayStream> rays = stress.rays(surface.bounds(), static_cast<int>(test::cases(4, 24)));
-    for (const Method& method : applicable_methods(stress.scene.object, MethodWish::own_answers))
+    for (const Method& method : applicable_methods(stress.scene.objects.front(), MethodWish::own_answers))
       for (const bool precise : {false, true}) {
         INFO(method.name << (precise ? " double" : " float"));
         std::vector<std::byte> expected;
         for (const Isa isa : available_isas()) {
           INFO(name_of(isa));
-          built.change_method(std::string(method.name), {}, {isa, precise});
+          built.objects.front().change_method(std::string(method.name), {}, {isa, precise});
           const std::vector<std::byte> found = answers(surface, rays);
           if (isa == Isa::scalar) expected = found;
           CHECK((found == expected));

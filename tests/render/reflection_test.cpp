@@ -70,7 +70,7 @@ TEST_CASE("a mirroring sphere shows the sky where the mirrored ray goes") {
       if (t.discriminant < 0.01) return;
       ++seen;
       const Double3 n = o + t.near * d, eye = -1.0 * d;
-      const Color dull = ambient(color), shine = lit(color, n, eye, eye), sky = sky_towards(mirrored(d, n));
+      const Color dull = ambient(color), shine = lit({color}, n, eye, eye), sky = sky_towards(mirrored(d, n));
       Color expected;
       for (int c = 0; c < 3; ++c)
         expected[c] = (1 - reflectivity) * (dull[c] + shine[c]) + reflectivity * sky[c];
@@ -101,7 +101,7 @@ TEST_CASE("the inside of a sphere mirrors its far side, not the start of the ray
     double worst = 0;
     for_each_ray(view, [&](std::uint32_t id, const Double3& o, const Double3& d) {
       const Double3 p = o + unit_sphere(o, d).far * d, r = mirrored(d, p), q = p - 2 * dot(p, r) * r;
-      const Color dull = ambient(color), shine = lit(color, -1.0 * q, light, -1.0 * r);
+      const Color dull = ambient(color), shine = lit({color}, -1.0 * q, light, -1.0 * r);
       const float* pixel = film.color(id);
       for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(double(pixel[c]) - (dull[c] + shine[c])));
     });
@@ -132,7 +132,7 @@ TEST_CASE("the inside of a sampled sphere mirrors its far side") {
   for_each_ray(view, [&](std::uint32_t id, const Double3& o, const Double3& d) {
     const Double3 from = (1 / 13.3) * (o - Double3{16, 16, 16});
     const Double3 p = from + unit_sphere(from, d).far * d, r = mirrored(d, p), q = p - 2 * dot(p, r) * r;
-    const Color dull = ambient({1, 1, 1}), shine = lit({1, 1, 1}, -1.0 * q, {0, 0, 1}, -1.0 * r);
+    const Color dull = ambient({1, 1, 1}), shine = lit({{1, 1, 1}}, -1.0 * q, {0, 0, 1}, -1.0 * r);
     wrong += std::abs(film.color(id)[0] - (dull[0] + shine[0])) > 0.05;
   });
   CHECK(wrong == 0);
