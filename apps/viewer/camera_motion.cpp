@@ -63,8 +63,8 @@ Camera fit(const Camera& camera, const Box& box, double aspect) {
 
 std::span<const StandardView> standard_views() {
   static const StandardView views[] = {
-      {"Front", {0, -1, 0}, {0, 0, 1}},   {"Back", {0, 1, 0}, {0, 0, 1}}, {"Left", {-1, 0, 0}, {0, 0, 1}},
-      {"Right", {1, 0, 0}, {0, 0, 1}},    {"Top", {0, 0, 1}, {0, 1, 0}},  {"Bottom", {0, 0, -1}, {0, 1, 0}},
+      {"Front", {0, -1, 0}, {0, 0, 1}},     {"Back", {0, 1, 0}, {0, 0, 1}}, {"Left", {-1, 0, 0}, {0, 0, 1}},
+      {"Right", {1, 0, 0}, {0, 0, 1}},      {"Top", {0, 0, 1}, {0, 1, 0}},  {"Bottom", {0, 0, -1}, {0, 1, 0}},
       {"Corner", {0.5, -1, 0.4}, {0, 0, 1}}};
   return views;
 }

@@ -9,6 +9,10 @@ void FrameBudget::note(int divisor, double ms) {
   full_ms_ = std::max(full, 0.5 * full_ms_ + 0.5 * full);
 }
 
+void FrameBudget::note_ended(int divisor, double ms) {
+  full_ms_ = std::max(full_ms_, ms * divisor * divisor);
+}
+
 int FrameBudget::divisor(double budget_ms) const {
   if (full_ms_ == 0) return kCoarsest / 2;
   constexpr double kReserve = 0.75;

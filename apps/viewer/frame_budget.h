@@ -11,6 +11,8 @@ class FrameBudget {
  public:
   /// A picture with this divisor took so long; a costlier one counts at once, cheaper ones gradually.
   void note(int divisor, double ms);
+  /// A picture was ended after so long.
+  void note_ended(int divisor, double ms);
   /// Nothing is known any more: another scene or method.
   void forget() { full_ms_ = 0; }
   /// 8 where nothing is known.

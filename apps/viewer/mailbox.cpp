@@ -47,8 +47,8 @@ std::shared_ptr<const Wish> Mailbox::wait_for_newer(std::uint64_t revision) {
 Mailbox::Work::Work(Mailbox& mailbox, std::uint64_t revision, double stays_ms, const Progress* progress)
     : mailbox_(mailbox), running_(std::make_shared<RunningWork>()) {
   running_->progress = progress;
-  running_->stays_until =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>(stays_ms));
+  running_->stays_until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                             std::chrono::duration<double, std::milli>(stays_ms));
   mailbox.worked_on_ = revision;
   mailbox.running_.store(running_);
   mailbox.nudge();

@@ -77,8 +77,7 @@ void SceneKeeper::change(const RenderWords& words, const SceneDescription& descr
   built_->scene.lights = description.lights;
   built_->scene.shadows = description.shadows;
   if (words.environment != words_.environment)
-    built_->scene.environment =
-        words.environment.empty() ? nullptr : read_environment(words.environment);
+    built_->scene.environment = words.environment.empty() ? nullptr : read_environment(words.environment);
 }
 
 SceneNews SceneKeeper::news() const {

@@ -1,0 +1,157 @@
+// The render loop: its pictures are those of `isocast render`, and the newest wish never waits for an older
+// one.
+#include <isocast/apps/viewer/render_loop.h>
+#include <isocast/apps/viewer/session.h>
+#include <isocast/render/image_file.h>
+#include <oneapi/tbb/info.h>
+
+#include <catch2/catch.hpp>
+#include <thread>
+
+using namespace isocast;
+using namespace isocast::viewer;
+
+namespace {
+
+Wish wish_for(const char* formula, const char* size = "200x120") {
+  Wish wish;
+  wish.words.input = formula;
+  wish.words.size = size;
+  return wish;
+}
+void rest(const RenderLoop& loop) {
+  while (!loop.at_rest()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+// What `isocast render` does with the words.
+Film rendered(const RenderWords& words) {
+  const auto [width, height] = parse_size(words.size);
+  SceneDescription description = describe(words);
+  description.objects.front().iso = parse_frames(words).front();
+  const BuiltScene built = build_scene(description, evaluation_of(words));
+  const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
+  Film film(width, height, {});
+  render(built.scene, view, settings_of(words), film);
+  return film;
+}
+
+constexpr const char* kHard = "sin(20*x)*cos(19*y)+sin(21*y)*cos(18*z)+sin(17*z)*cos(20*x)+0.1*sin(80*x*y*z)";
+
+}  // namespace
+
+TEST_CASE("at rest the picture is that of isocast render") {
+  RenderLoop loop;
+  for (const char* aa : {"none", "spp", "silhouette"})
+    for (const bool hold : {false, true}) {
+      Wish wish = wish_for("@tangle");
+      wish.words.aa = aa;
+      wish.words.opacity = "0.5";
+      wish.hold_full = hold;
+      const Film expected = rendered(wish.words);
+      const std::uint64_t revision = loop.ask(wish);
+      rest(loop);
+      const auto picture = loop.picture();
+      REQUIRE(picture);
+      CHECK(picture->revision == revision);
+      CHECK(picture->stage == Stage::final);
+      CHECK(picture->film->color() == expected.color());
+      bool same = true;
+      for (std::size_t i = 0; i < picture->rgba.size(); ++i)
+        same = same && picture->rgba[i] == (i % 4 == 3 ? 255 : srgb_code(expected.color()[i]));
+      CHECK(same);
+    }
+}
+
+TEST_CASE("iso-values, looks, lights and cameras build nothing again") {
+  RenderLoop loop;
+  Wish wish = wish_for("@tangle");
+  loop.ask(wish);
+  rest(loop);
+  CHECK(loop.counts().scenes == 1);
+  wish.words.iso = "1,-1";
+  wish.words.colors = "#ff0000";
+  wish.words.lights = {"0,0,1"};
+  wish.words.shadows = true;
+  wish.words.position = "3,-9,4";
+  loop.ask(wish);
+  rest(loop);
+  CHECK(loop.counts().scenes == 1);
+  CHECK(loop.picture()->film->color() == rendered(wish.words).color());
+  wish.words.input = "x^2+y^2+z^2-0.5";
+  loop.ask(wish);
+  rest(loop);
+  CHECK(loop.counts().scenes == 2);
+}
+
+TEST_CASE("a newer wish ends an older one within a tile of each thread") {
+  RenderLoop loop;
+  Wish wish = wish_for(kHard, "1600x1200");
+  wish.budget_ms = 1;
+  const int threads = oneapi::tbb::info::default_concurrency();
+  for (int i = 0; i < 12; ++i) {
+    wish.words.position = std::to_string(3 + 0.1 * i) + ",-4,2";
+    loop.ask(wish);
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  }
+  const std::int64_t cancelled = loop.counts().cancelled;
+  CHECK(cancelled >= 3);
+  CHECK(loop.counts().tiles_cancelled > 1000);
+  CHECK(loop.counts().tiles_after_end <= threads);
+  // the interface gets the newest picture all the same
+  wish.words.size = "64x64";
+  loop.ask(wish);
+  rest(loop);
+  CHECK(loop.picture()->film->color() == rendered(wish.words).color());
+}
+
+TEST_CASE("while wishes follow one another previews are shown") {
+  RenderLoop loop;
+  Wish wish = wish_for(kHard, "800x600");
+  std::uint64_t shown = 0;
+  int different = 0;
+  for (int i = 0; i < 100 && different < 3; ++i) {
+    wish.words.position = std::to_string(3 + 0.01 * i) + ",-4,2";
+    loop.ask(wish);
+    for (int frame = 0; frame < 10; ++frame) {
+      loop.nudge();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    const auto picture = loop.picture();
+    if (picture && picture->revision != shown) ++different, shown = picture->revision;
+  }
+  CHECK(different == 3);
+}
+
+TEST_CASE("what cannot be shown is told, and the scene before stays") {
+  RenderLoop loop;
+  Wish wish = wish_for("x^2+y^2+z^2-0.5");
+  loop.ask(wish);
+  rest(loop);
+  wish.words.input = "x^2+y^";
+  loop.ask(wish);
+  rest(loop);
+  CHECK(loop.news()->error.find("formula:1:7") != std::string::npos);
+  CHECK(loop.news()->any);
+  wish.words.position = "0,-5,0";
+  loop.ask(wish);
+  rest(loop);
+  RenderWords before = wish.words;
+  before.input = "x^2+y^2+z^2-0.5";
+  CHECK(loop.picture()->film->color() == rendered(before).color());
+}
+
+TEST_CASE("the resolution of previews follows what pictures cost") {
+  FrameBudget budget;
+  CHECK(budget.divisor(33) == 8);
+  budget.note(8, 10);  // 640 ms in full
+  CHECK(budget.divisor(33) == 6);
+  CHECK(budget.expected_ms(6) < 33);
+  budget.note(6, 100);
+  CHECK(budget.divisor(33) == 13);
+  for (int i = 0; i < 20; ++i) budget.note(4, 1);
+  CHECK(budget.divisor(33) == 1);
+  budget.note_ended(1, 200);
+  CHECK(budget.divisor(33) == 3);
+  budget.note_ended(1, 1e9);
+  CHECK(budget.divisor(33) == kCoarsest);
+}
