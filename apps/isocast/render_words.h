@@ -20,6 +20,7 @@ struct RenderWords {
   bool shadows = false, by_component = false;
   int spp = 1, threads = 0, transparency_depth = 4, reflections = 1;
   ReadOptions read;
+  bool operator==(const RenderWords&) const = default;
 };
 
 /// The parts between separators; at least one.

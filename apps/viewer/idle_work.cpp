@@ -1,3 +1,4 @@
+#include <isocast/apps/viewer/extras.h>
 #include <isocast/apps/viewer/idle_work.h>
 #include <isocast/base/error.h>
 
@@ -37,6 +38,19 @@ void IdleWork::run(const JobScene& scene) {
     drop();
   }
   find_statistics(scene);
+}
+
+void IdleWork::run_extras(const JobScene& scene, const Wish& wish, const std::function<void(Picture)>& show) {
+  if (wish.overlay == Overlay::difference && !wish.other.empty()) {
+    Picture both = scene.picture;
+    both.other = other_picture(scene, wish.other);
+    show(std::move(both));
+  }
+  if (wish.overlay == Overlay::error) show_errors(scene, show);
+  if (wish.points)
+    find_points(scene, [&](const std::vector<MethodPoint>& points) {
+      results_.points = std::make_shared<const std::vector<MethodPoint>>(points);
+    });
 }
 
 void IdleWork::find_statistics(const JobScene& scene) {

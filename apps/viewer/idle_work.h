@@ -18,12 +18,14 @@ struct JobScene {
   const Picture& picture;
   std::stop_token stop;
 };
+struct MethodPoint;
 using Job = std::function<void(const JobScene&)>;
 
-/// Statistics of the volume `scene` (SceneNews); null: none yet.
+/// Statistics of the volume `scene` (SceneNews), null: none; the methods' points.
 struct IdleResults {
   std::atomic<std::shared_ptr<const VolumeStatistics>> statistics;
   std::atomic<int> scene = 0;
+  std::atomic<std::shared_ptr<const std::vector<MethodPoint>>> points;
 };
 
 /// Of the render thread but for post() and results().
@@ -35,6 +37,8 @@ class IdleWork {
   void forget();
   /// Everything that is not done yet, as long as nobody stops it; what was stopped is dropped.
   void run(const JobScene& scene);
+  /// What the wish asks for beyond its picture.
+  void run_extras(const JobScene& scene, const Wish& wish, const std::function<void(Picture)>& show);
   [[nodiscard]] const IdleResults& results() const { return results_; }
 
  private:

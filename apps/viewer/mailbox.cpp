@@ -23,8 +23,9 @@ void Mailbox::nudge() {
   if (running && (closed_ || Clock::now() >= running->stays_until)) running->end();
 }
 
-void Mailbox::end_now() {
-  if (const std::shared_ptr<RunningWork> running = running_.load()) running->end();
+void Mailbox::end_now(std::uint64_t before) {
+  const std::shared_ptr<RunningWork> running = running_.load();
+  if (running && running->revision < before) running->end();
 }
 
 void Mailbox::close() {
@@ -39,14 +40,15 @@ void Mailbox::wake() {
 }
 
 std::shared_ptr<const Wish> Mailbox::wait_for_newer(std::uint64_t revision) {
-  const std::uint32_t rung = bell_;
-  if (!has_newer(revision) && !closed_) bell_.wait(rung);
+  if (!has_newer(revision) && !closed_) bell_.wait(heard_);
+  heard_ = bell_;
   return closed_ ? nullptr : wish_.load();
 }
 
 Mailbox::Work::Work(Mailbox& mailbox, std::uint64_t revision, double stays_ms, const Progress* progress)
     : mailbox_(mailbox), running_(std::make_shared<RunningWork>()) {
   running_->progress = progress;
+  running_->revision = revision;
   running_->stays_until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                              std::chrono::duration<double, std::milli>(stays_ms));
   mailbox.worked_on_ = revision;

@@ -14,6 +14,7 @@ namespace isocast::viewer {
 /// stopped, tiles: when it was stopped and the tiles that were done by then.
 struct RunningWork {
   std::stop_source stop;
+  std::uint64_t revision = 0;
   Clock::time_point stays_until;
   const Progress* progress = nullptr;
   std::atomic<Clock::time_point> stopped = Clock::time_point();
@@ -29,8 +30,8 @@ class Mailbox {
   void put(std::shared_ptr<const Wish> wish);
   /// Stops work that newer wishes have waited long enough for; to be called once a frame.
   void nudge();
-  /// Stops what is going on, whatever it is.
-  void end_now();
+  /// Stops what is going on, whatever it is; `before`: only for a wish that is older.
+  void end_now(std::uint64_t before = ~std::uint64_t(0));
   /// Stops everything, for good.
   void close();
 
@@ -61,6 +62,7 @@ class Mailbox {
   std::atomic<std::shared_ptr<RunningWork>> running_;
   std::atomic<std::uint64_t> revision_ = 0, worked_on_ = 0;
   std::atomic<std::uint32_t> bell_ = 0;
+  std::uint32_t heard_ = 0;  // the render thread's
   std::atomic<bool> closed_ = false;
 };
 

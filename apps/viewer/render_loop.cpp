@@ -27,7 +27,7 @@ void raise_to(std::atomic<double>& largest, double value) { largest = std::max(l
 
 }  // namespace
 
-RenderLoop::RenderLoop() : thread_([this] { run(); }) {}
+RenderLoop::RenderLoop(std::function<void()> tell) : tell_(std::move(tell)), thread_([this] { run(); }) {}
 RenderLoop::~RenderLoop() { mailbox_.close(); }
 
 std::uint64_t RenderLoop::ask(Wish wish) {
@@ -36,16 +36,17 @@ std::uint64_t RenderLoop::ask(Wish wish) {
   const bool other = source != source_;
   source_ = std::move(source);
   mailbox_.put(std::make_shared<const Wish>(std::move(wish)));
-  if (other) mailbox_.end_now();
+  if (other) mailbox_.end_now(asked_);
   return asked_;
 }
 
 void RenderLoop::post(Job job) {
   idle_.post(std::move(job));
+  if (in_extras_) mailbox_.end_now();
   mailbox_.wake();
 }
 
-bool RenderLoop::at_rest() const { return rested_ == asked_ && idle_.empty(); }
+bool RenderLoop::at_rest() const { return asked_ > 0 && rested_ == asked_ && idle_.empty(); }
 
 void RenderLoop::run() {
   std::uint64_t done = 0;
@@ -56,7 +57,9 @@ void RenderLoop::run() {
     try {
       fulfil(*wish);
       if (!mailbox_.has_newer(done)) rested_ = done;
-    } catch (const Interrupted&) {  // a newer wish is there, or the end
+      tell_();
+    } catch (const Interrupted&) {  // something newer is there, or the end
+      in_extras_ = false;
     } catch (const std::exception& problem) {
       publish_news(done, problem.what());
       rested_ = done;
@@ -65,18 +68,24 @@ void RenderLoop::run() {
 }
 
 void RenderLoop::fulfil(const Wish& wish) {
-  if (rested_ != wish.revision) {
+  if (complete_ != wish.revision) {
     load(wish);
     if (!keeper_.any()) return idle_.forget();
     make_pictures(wish);
     if (mailbox_.has_newer(wish.revision)) return;
-    rested_ = wish.revision;
+    complete_ = wish.revision;
   }
   const std::shared_ptr<const Picture> picture = picture_.load();
   if (!view_ || !picture) return idle_.forget();
   const Mailbox::Work work(mailbox_, wish.revision, 0);
   const InterruptibleWork interruptible(work.stop());
-  idle_.run({keeper_, *view_, *picture, work.stop()});
+  const JobScene scene{keeper_, *view_, *picture, work.stop()};
+  idle_.run(scene);
+  if (rested_ != wish.revision) {
+    in_extras_ = true;
+    idle_.run_extras(scene, wish, [this](Picture shown) { show(std::move(shown)); });
+    in_extras_ = false;
+  }
 }
 
 void RenderLoop::load(const Wish& wish) {
@@ -99,6 +108,7 @@ void RenderLoop::publish_news(std::uint64_t revision, const std::string& error) 
   news.error = error;
   counts_.scenes = news.scene;
   news_ = std::make_shared<const SceneNews>(std::move(news));
+  tell_();
 }
 
 void RenderLoop::make_pictures(const Wish& wish) {
@@ -161,8 +171,13 @@ bool RenderLoop::make_picture(const Wish& wish, const View& view, const RenderSe
   }
   counts_.tiles_rendered += progress.done();
   ++counts_.pictures[static_cast<std::size_t>(stage)];
-  picture_ = std::make_shared<const Picture>(std::move(picture));
+  show(std::move(picture));
   return !mailbox_.has_newer(wish.revision);
+}
+
+void RenderLoop::show(Picture picture) {
+  picture_ = std::make_shared<const Picture>(std::move(picture));
+  tell_();
 }
 
 }  // namespace isocast::viewer

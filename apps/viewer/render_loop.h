@@ -18,7 +18,8 @@ namespace isocast::viewer {
 /// for loading, which goes on unless the input is another one.
 class RenderLoop {
  public:
-  RenderLoop();
+  /// tell: called in the render thread when there is something new.
+  explicit RenderLoop(std::function<void()> tell = [] {});
   ~RenderLoop();
   RenderLoop(const RenderLoop&) = delete;
   RenderLoop& operator=(const RenderLoop&) = delete;
@@ -49,9 +50,11 @@ class RenderLoop {
   void load(const Wish& wish);
   void publish_news(std::uint64_t revision, const std::string& error);
   void make_pictures(const Wish& wish);
+  void show(Picture picture);
   bool make_picture(const Wish& wish, const View& view, const RenderSettings& settings, Stage stage,
                     int divisor, double stays_ms);
 
+  std::function<void()> tell_;
   ProgressWatch watch_;
   Mailbox mailbox_;
   SceneKeeper keeper_;
@@ -61,7 +64,8 @@ class RenderLoop {
   std::atomic<std::shared_ptr<const Picture>> picture_;
   std::atomic<std::shared_ptr<const SceneNews>> news_;
   std::atomic<std::uint64_t> rested_ = 0;
-  std::atomic<bool> loading_ = false;
+  std::atomic<bool> loading_ = false, in_extras_ = false;
+  std::uint64_t complete_ = 0;       // the render thread's
   std::optional<View> view_;         // of the complete picture, the render thread's
   std::uint64_t asked_ = 0;          // the interface's
   std::vector<std::string> source_;  // of the newest wish, the interface's

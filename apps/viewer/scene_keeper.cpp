@@ -80,6 +80,12 @@ void SceneKeeper::change(const RenderWords& words, const SceneDescription& descr
     built_->scene.environment = words.environment.empty() ? nullptr : read_environment(words.environment);
 }
 
+MethodRestorer::~MethodRestorer() {
+  const BuiltObject& object = keeper_.built().objects.front();
+  object.change_method(object.method, keeper_.description().objects.front().settings,
+                       evaluation_of(keeper_.words()));
+}
+
 SceneNews SceneKeeper::news() const {
   SceneNews news;
   news.any = any();

@@ -37,6 +37,18 @@ class SceneKeeper {
   int scene_ = 0;
 };
 
+/// Puts the first object's method back when it goes: others may be tried meanwhile.
+class MethodRestorer {
+ public:
+  explicit MethodRestorer(SceneKeeper& keeper) : keeper_(keeper) {}
+  ~MethodRestorer();
+  MethodRestorer(const MethodRestorer&) = delete;
+  MethodRestorer& operator=(const MethodRestorer&) = delete;
+
+ private:
+  SceneKeeper& keeper_;
+};
+
 /// Everything of the words that makes it another scene, which must be loaded or built.
 [[nodiscard]] std::vector<std::string> source_of(const RenderWords& words);
 

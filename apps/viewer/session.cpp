@@ -36,7 +36,7 @@ std::string hex_of(const Color& color) {
 }
 
 Session start_session(const RenderWords& words) {
-  Session session{words, {}, {}, false};
+  Session session{words, {}, {}, {}};
   adopt_surfaces(session, parse_frames(words).front());
   return session;
 }
@@ -46,6 +46,7 @@ void adopt_surfaces(Session& session, const std::vector<double>& values) {
   session.surfaces.clear();
   for (const double value : values)
     session.surfaces.push_back(surface_of(value, materials, session.surfaces.size()));
+  session.adopted = session.surfaces;
 }
 
 void add_surface(Session& session, double value) {
@@ -63,7 +64,7 @@ RenderWords words_of(const Session& session, int width, int height) {
     words.fov = camera.ortho_height ? "" : fmt::format("{}", camera.fov);
     words.ortho = camera.ortho_height ? fmt::format("{}", *camera.ortho_height) : "";
   }
-  if (session.surfaces.empty()) return words;
+  if (session.surfaces == session.adopted) return words;
   if (std::ranges::none_of(session.surfaces, &IsoSurface::visible)) {  // an iso-value that nobody sees
     words.iso = fmt::format("{}", session.surfaces.front().value);
     words.colors = words.reflectivity = "";

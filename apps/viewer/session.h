@@ -15,18 +15,18 @@ struct IsoSurface {
   Color color = {1, 1, 1};  // linear
   double opacity = 1, reflectivity = 0;
   bool visible = true;
+  bool operator==(const IsoSurface&) const = default;
 };
 
 /// The input and options as the command line has them, and what changes most under the mouse.
 ///
 /// surfaces  empty: the input's own default iso-value, which nobody knows before it is loaded
+/// adopted   that default: as long as the surfaces are still these, the words say nothing of them
 /// camera    none: the one of `words`, which frames the scene where they leave it open
-/// moving    something is being dragged: a preview now is worth more than a full picture later
 struct Session {
   RenderWords words;
-  std::vector<IsoSurface> surfaces;
+  std::vector<IsoSurface> surfaces, adopted;
   std::optional<Camera> camera;
-  bool moving = false;
 };
 
 /// The session that a command line starts. Throws InputError for iso-values, colours and shares that cannot

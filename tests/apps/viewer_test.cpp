@@ -94,7 +94,10 @@ TEST_CASE("a session starts as its command line says and says it again") {
   const Session session = start_session(words);
   REQUIRE(session.surfaces.size() == 2);
   CHECK(hex_of(session.surfaces[1].color) == "#ff8000");
-  const RenderWords again = words_of(session, 320, 200);
+  CHECK(words_of(session, 320, 200).colors == "#ff8000");
+  Session changed = session;
+  changed.adopted.clear();
+  const RenderWords again = words_of(changed, 320, 200);
   CHECK(again.iso == "0,0.5");
   CHECK(again.colors == "#ff8000,#ff8000");
   CHECK(again.opacity == "0.25,1");
