@@ -10,15 +10,15 @@
 namespace isocast::viewer {
 namespace {
 
-// A part of the window with a fixed place.
-bool begin_part(const char* name, float x, float y, float width, float height, ImGuiWindowFlags flags = 0) {
+// A part of the window with a fixed place; those that others may cover stay behind.
+bool begin_part(const char* name, float x, float y, float width, float height, ImGuiWindowFlags flags) {
   ImGui::SetNextWindowPos({x, y});
   ImGui::SetNextWindowSize({std::max(width, 1.0f), std::max(height, 1.0f)});
   return ImGui::Begin(name, nullptr,
                       flags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                          ImGuiWindowFlags_NoNav);
+                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
 }
+constexpr ImGuiWindowFlags kBehind = ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 // A section of the panel under its header.
 void section(App& app, const char* name, const char* title, bool open, void (*draw)(App&)) {
@@ -78,22 +78,22 @@ void draw_interface(App& app) {
   const float width = static_cast<float>(w), height = static_cast<float>(h);
   const float panel = std::min(340 * s, 0.5f * width), status = 26 * s;
   const float probe = app.probe_open ? std::min(0.45f * height, 330 * s) : 0;
-  begin_part("panel", 0, 0, panel, height - status);
+  begin_part("panel", 0, 0, panel, height - status, kBehind);
   draw_panel(app);
   app.landmarks.mark("panel", {0, 0, panel, height - status});
   ImGui::End();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   begin_part("canvas", panel, 0, width - panel, height - status,
-             ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+             kBehind | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   draw_canvas(app);
   ImGui::End();
   if (app.probe_open) {  // over the picture, which keeps its size
-    begin_part("probe", panel, height - status - probe, width - panel, probe);
+    begin_part("probe", panel, height - status - probe, width - panel, probe, 0);
     draw_probe(app);
     ImGui::End();
   }
-  begin_part("status", 0, height - status, width, status, ImGuiWindowFlags_NoScrollbar);
+  begin_part("status", 0, height - status, width, status, kBehind | ImGuiWindowFlags_NoScrollbar);
   draw_status(app);
   ImGui::End();
   if (app.loop.loading()) draw_loading(app);
