@@ -82,12 +82,13 @@ AutomaticMethod choose_automatically(const Expression& expression, const Domain&
       "the cost of their operations {:.0f} against {:.0f}",
       kStreamSize, evaluations[0], evaluations[1], work[0], work[1]);
   const FormulaMethodChoice& wishes = options.method;
-  if (wishes.nearest || wishes.options.delta > 0 || wishes.options.packets || !wishes.beams)
+  // beams are affine: where that does not pay for rays, or rays are hard, they have been slower by far
+  constexpr double kHard = 100;
+  if (chosen == FormulaMethod::interval || evaluations[1] > kHard || wishes.nearest ||
+      wishes.options.delta > 0 || wishes.options.packets || !wishes.beams)
     return {chosen, FormulaPass::none, reason};
   options.method.method = chosen;
-  const double alone = picture_work(ImplicitSurface(expression, domain, options),
-                                    tape_cost(tape, chosen == FormulaMethod::affine));
-  options.method.method = FormulaMethod::affine;
+  const double alone = picture_work(ImplicitSurface(expression, domain, options), tape_cost(tape, true));
   options.method.pass = FormulaPass::certified;
   const double together = picture_work(ImplicitSurface(expression, domain, options), tape_cost(tape, true));
   reason +=

@@ -55,6 +55,8 @@ class ImplicitSurface final : public Surface {
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
+  void find_sides(const RayStream& rays, const HitStream& hits,
+                  RaySides (&sides)[kStreamSize]) const override;
   void find_edges(const PixelLines& lines, std::span<const EdgeStep> steps,
                   std::span<float> shares) const override;
   void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,

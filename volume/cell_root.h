@@ -9,10 +9,10 @@ namespace isocast::inline ISO_ISA {
 
 /// A root in its cell, in the units of the chord from t_in to t_out; sides: as in HitStream.
 struct CellRoot {
-  double t_in, t_out, s, s_lo, s_hi;
+  double t_in, t_out, s = 0, s_lo = 0, s_hi = 0;
   std::int32_t cell[3];
-  int iso;
-  bool undecided;
+  int iso = 0;
+  bool undecided = false;
 };
 
 /// Whether a root is the hit of slot i: not where it lies behind the ray's end or a nearer hit.

@@ -3,6 +3,7 @@
 #include <isocast/volume/dress.h>
 #include <isocast/volume/primary/volume_pass.h>
 #include <isocast/volume/sample.h>
+#include <isocast/volume/stream/stream_tracer.h>
 #include <isocast/volume/volume_surface.h>
 
 #include <algorithm>
@@ -76,6 +77,7 @@ void VolumeSurface::use_dense_grid() {
     last[a] = query_.samples.last[a];
   }
   bricks_ = dense_bricks(grid);
+  directory_ = BrickDirectory(bricks_, grid, query_.samples);
   bounds_ = world_box({0, 0, 0}, last);
 }
 
@@ -97,11 +99,14 @@ void VolumeSurface::use_tree() {
     first[a] = query_.samples.first[a];
     last[a] = query_.samples.last[a];
   }
+  directory_ = BrickDirectory(bricks_, query_.grid, query_.samples);
   bounds_ = active_bounds_ = world_box(first, last);
 }
 
 std::size_t VolumeSurface::acceleration_bytes() const {
-  std::size_t bytes = macrocells_ ? macrocells_->bytes() : ranges_ ? ranges_->bytes() : 0;
+  std::size_t bytes = directory_.bytes() + (macrocells_ ? macrocells_->bytes()
+                                            : ranges_   ? ranges_->bytes()
+                                                        : 0);
   for (const auto& masks : masks_) bytes += masks->bytes();
   return bytes;
 }
@@ -149,6 +154,7 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
   normals_ = options.normals;
   query_.cells = &cell_kernels(options.isa);
   isa_ = options.isa;
+  order_ = options.order;
 }
 
 // Those of iso-values that stay are kept.
@@ -163,21 +169,41 @@ void VolumeSurface::choose_masks() {
 }
 
 std::unique_ptr<PrimaryPass> VolumeSurface::primary(const View& view) const {
-  if (bricks_.count == 0) return nullptr;
+  if (bricks_.count == 0 || order_ != RayOrder::automatic) return nullptr;
   std::optional<BricksInView> bricks = find_bricks(query_, bricks_, volume_->world_from_grid, view);
   if (!bricks) return nullptr;
   return std::make_unique<VolumePass>(query_, masks_, view, std::move(*bricks), isa_);
 }
 
+MarchField VolumeSurface::march_field() const {
+  MarchField field = {};
+  field.query = &query_;
+  field.bricks = directory_.view();
+  const double size = 1 << (query_.sparse ? kTreeShifts[0] : query_.grid.levels[0].shift);
+  for (int a = 0; a < 3; ++a) {
+    field.first[a] = query_.samples.first[a];
+    field.last[a] = query_.samples.last[a];
+    field.low[a] = std::max(query_.active.lo[a] * size, field.first[a]);
+    field.high[a] = std::min((query_.active.hi[a] + 1) * size, field.last[a]);
+  }
+  for (std::size_t i = 0; i < masks_.size(); ++i) {
+    field.masks[i] = masks_[i].get();
+    field.made[i] = masks_[i]->made();
+  }
+  return field;
+}
+
 void VolumeSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   if (active_bounds_.empty()) return;
   const DefaultFloatEnvironment environment;
-  trace_first_hits(query_, rays, hits, counts);
+  if (order_ == RayOrder::walk || !directory_.complete()) trace_first_hits(query_, rays, hits, counts);
+  else trace_first_hits(march_field(), stream_kernels(isa_), rays, hits, counts);
 }
 
 void VolumeSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   const DefaultFloatEnvironment environment;
-  trace_next_hits(query_, rays, hits, counts);
+  if (order_ == RayOrder::walk || !directory_.complete()) trace_next_hits(query_, rays, hits, counts);
+  else trace_next_hits(march_field(), stream_kernels(isa_), rays, hits, counts);
 }
 
 void VolumeSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,

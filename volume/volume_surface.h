@@ -3,12 +3,14 @@
 
 #include <isocast/isa/cpu.h>
 #include <isocast/ray/surface.h>
+#include <isocast/volume/bricks/brick_directory.h>
+#include <isocast/volume/bricks/brick_masks.h>
+#include <isocast/volume/bricks/bricks.h>
 #include <isocast/volume/macrocells.h>
 #include <isocast/volume/methods.h>
-#include <isocast/volume/primary/brick_masks.h>
-#include <isocast/volume/primary/bricks.h>
 #include <isocast/volume/query.h>
 #include <isocast/volume/sparse_ranges.h>
+#include <isocast/volume/stream/march_field.h>
 #include <isocast/volume/volume.h>
 
 #include <memory>
@@ -17,11 +19,19 @@
 
 namespace isocast {
 
+/// How rays find their cells; the bits are the same.
+///
+/// automatic  primary rays in object order where that pays, others in streams
+/// streams    all in streams: many rays at a time through the bricks' masks (stream/march_lanes.h)
+/// walk       one after the other through the ranges of blocks (march.h): what the others are held against
+enum class RayOrder : std::uint8_t { automatic, streams, walk };
+
 /// iso       1 to kMaxIsos values in the user's units (slope and intercept of the file)
 /// isa       which kernels run, by default the widest for this processor; all give the same bits
 /// normals   gradient: of the trilinear interpolant in the hit cell, exact and discontinuous across faces;
 ///           difference: central differences at the samples, interpolated, smooth
 /// object    number of the object in its scene
+/// order     of rays
 struct VolumeSurfaceOptions {
   std::vector<double> iso;
   CellMethodChoice method = choose_cell_method("auto", {});
@@ -29,6 +39,7 @@ struct VolumeSurfaceOptions {
   Isa isa = widest_isa();
   NormalKind normals = NormalKind::gradient;
   std::uint16_t object = 0;
+  RayOrder order = RayOrder::automatic;
 };
 
 /// Holds the samples, dense or sparse, and the ranges that let rays leap; other options need one look at the
@@ -51,10 +62,12 @@ class VolumeSurface final : public Surface {
   [[nodiscard]] bool proves() const override { return query_.proves; }
   /// By the box of the blocks that hold an iso-value.
   [[nodiscard]] bool narrow(const TileFrustum& tile) const override;
-  /// In object order, where that is to be had.
+  /// In object order, where that pays.
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
+  void find_sides(const RayStream& rays, const HitStream& hits,
+                  RaySides (&sides)[kStreamSize]) const override;
   void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
              DressedHits& dressed) const override;
 
@@ -62,6 +75,7 @@ class VolumeSurface final : public Surface {
   void use_dense_grid();
   void use_tree();
   void choose_masks();
+  [[nodiscard]] MarchField march_field() const;
   [[nodiscard]] Box world_box(const Double3& lo, const Double3& hi) const;
 
   std::shared_ptr<const Volume> volume_;
@@ -70,9 +84,11 @@ class VolumeSurface final : public Surface {
   Box bounds_, active_bounds_;
   VolumeQuery query_ = {};
   Bricks bricks_;
+  BrickDirectory directory_;
   std::vector<std::shared_ptr<const IsoMasks>> masks_;  // one for each iso-value
   Isa isa_;
   NormalKind normals_;
+  RayOrder order_;
 };
 
 /// The threshold of an iso-value in stored units: a sample s lies below it (s < key) exactly where the corner

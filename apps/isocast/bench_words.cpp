@@ -2,9 +2,9 @@
 #include <fmt/ranges.h>
 #include <isocast/apps/bench/suites.h>
 #include <isocast/apps/isocast/bench_words.h>
-#include <isocast/apps/isocast/formula_input.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/reference/reference_cache.h>
+#include <isocast/apps/scene_build/formula_input.h>
 #include <isocast/base/error.h>
 
 #include <algorithm>
@@ -41,6 +41,8 @@ PictureCase input_case(const BenchWords& words) {
   PictureCase picture{"input", typed_formula(scene.input), {}, width, height};
   try {
     picture.scene = describe(scene);
+    if (picture.scene.objects.size() > 1)
+      throw InputError(fmt::format("{}: found several objects, expected a scene of one", picture.name));
   } catch (const InputError& error) {
     const bool a_word = std::ranges::all_of(picture.name, [](unsigned char c) { return std::isalpha(c); });
     if (!a_word) throw;

@@ -1,5 +1,6 @@
 // isocast compare: hit mask, depth, normal and colour of two pictures with layers.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <isocast/apps/isocast/compare_images.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/isocast/verbs.h>
@@ -36,13 +37,12 @@ json json_of(const Comparison& c, double tolerance) {
                           {"only_b", c.mask.only_b}, {"neither", c.mask.neither}, {"pixels", pixels}};
   }
   for (const LayerDifference& layer : c.layers)
-    result["layers"][layer.name] = {{"unit", layer.unit},
-                                    {"pixels", layer.pixels},
-                                    {"p50", layer.p50},
-                                    {"p90", layer.p90},
-                                    {"p99", layer.p99},
-                                    {"max", layer.max},
-                                    {"worst", json_of(layer.worst)}};
+    result["layers"][layer.name] = {{"unit", layer.unit},       {"pixels", layer.pixels},
+                                    {"p50", layer.p50},         {"p90", layer.p90},
+                                    {"p99", layer.p99},         {"max", layer.max},
+                                    {"decides", layer.decides}, {"worst", json_of(layer.worst)}};
+  result["only_a"] = c.only_a;
+  result["only_b"] = c.only_b;
   return result;
 }
 
@@ -54,15 +54,17 @@ void print(const Comparison& c, double tolerance) {
     for (std::size_t i = 0; i < std::min(kListed, c.mask.first.size()); ++i)
       fmt::print("  differs at {},{}\n", c.mask.first[i].x, c.mask.first[i].y);
   }
-  fmt::print("{:<7} {:<12} {:>9} {:>10} {:>10} {:>10} {:>10}  worst pixels\n", "layer", "unit", "pixels",
+  fmt::print("{:<11} {:<12} {:>9} {:>10} {:>10} {:>10} {:>10}  worst pixels\n", "layer", "unit", "pixels",
              "p50", "p90", "p99", "max");
   for (const LayerDifference& layer : c.layers) {
     std::string worst;
     for (std::size_t i = 0; i < std::min(kListed, layer.worst.size()); ++i)
       worst += fmt::format(" {},{}", layer.worst[i].x, layer.worst[i].y);
-    fmt::print("{:<7} {:<12} {:>9} {:>10.3g} {:>10.3g} {:>10.3g} {:>10.3g} {}\n", layer.name, layer.unit,
+    fmt::print("{:<11} {:<12} {:>9} {:>10.3g} {:>10.3g} {:>10.3g} {:>10.3g} {}\n", layer.name, layer.unit,
                layer.pixels, layer.p50, layer.p90, layer.p99, layer.max, worst);
   }
+  for (const auto& [names, who] : {std::pair{&c.only_a, "A"}, {&c.only_b, "B"}})
+    if (!names->empty()) fmt::print("only in {}: {}\n", who, fmt::join(*names, ", "));
   fmt::print("{} the tolerance {}\n", c.within(tolerance) ? "within" : "BEYOND", tolerance);
 }
 
@@ -87,9 +89,10 @@ void run(const CompareWords& words) {
 }  // namespace
 
 void add_compare(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("compare",
-                                      "Hit mask, depth, normal and colour of two EXR pictures; exit code 3 "
-                                      "where they differ by more than --tolerance");
+  CLI::App* verb =
+      app.add_subcommand("compare",
+                         "Hit mask, colour and all layers of two EXR pictures; exit code 3 where "
+                         "they differ by more than --tolerance (cost and certificate may)");
   const auto words = std::make_shared<CompareWords>();
   verb->add_option("A", words->a, "An .exr picture")->required();
   verb->add_option("B", words->b, "Another one of the same size")->required();

@@ -17,14 +17,23 @@ constexpr std::size_t kMostListed = 10;
 // The channels of a layer in both pictures.
 class SharedLayer {
  public:
-  SharedLayer(const Image& a, const Image& b, std::vector<std::string> names)
+  // names, others: of its channels, plain and for compositors
+  SharedLayer(const Image& a, const Image& b, std::vector<std::string> names,
+              std::vector<std::string> others = {})
       : a_(a), b_(b), names_(std::move(names)) {
-    for (const std::string& name : names_) {
-      channels_.push_back({a.channel(name), b.channel(name)});
-      shared_ = shared_ && channels_.back()[0] >= 0 && channels_.back()[1] >= 0;
+    for (std::size_t c = 0; c < names_.size(); ++c) {
+      const auto find = [&](const Image& image) {
+        const int plain = image.channel(names_[c]);
+        return plain < 0 && !others.empty() ? image.channel(others[c]) : plain;
+      };
+      channels_.push_back({find(a), find(b)});
+      in_a_ = in_a_ && channels_.back()[0] >= 0;
+      in_b_ = in_b_ && channels_.back()[1] >= 0;
     }
   }
-  [[nodiscard]] bool shared() const { return shared_; }
+  [[nodiscard]] bool in_a() const { return in_a_; }
+  [[nodiscard]] bool in_b() const { return in_b_; }
+  [[nodiscard]] bool shared() const { return in_a_ && in_b_; }
   [[nodiscard]] std::size_t size() const { return channels_.size(); }
   [[nodiscard]] const std::string& name() const { return names_.front(); }
   // channel c of pixel (x, y) in a and in b
@@ -36,7 +45,7 @@ class SharedLayer {
   const Image &a_, &b_;
   std::vector<std::string> names_;
   std::vector<std::array<int, 2>> channels_;
-  bool shared_ = true;
+  bool in_a_ = true, in_b_ = true;
 };
 
 // |x - y|, 0 for the same infinity or NaN in both, +inf for NaN in one.
@@ -50,6 +59,7 @@ double largest_difference(const SharedLayer& layer, int x, int y) {
   for (std::size_t c = 0; c < layer.size(); ++c) largest = std::max(largest, difference(layer.at(x, y, c)));
   return largest;
 }
+double differs(const SharedLayer& layer, int x, int y) { return largest_difference(layer, x, y) > 0; }
 double angle(const SharedLayer& layer, int x, int y) {
   if (largest_difference(layer, x, y) == 0) return 0;
   Double3 normals[2];
@@ -63,8 +73,8 @@ double angle(const SharedLayer& layer, int x, int y) {
 
 MaskDifference compare_masks(const Image& a, const Image& b) {
   MaskDifference mask;
-  for (const char* const name : {"depth", "z", "id", "A"}) {
-    const SharedLayer layer(a, b, {name});
+  for (const auto& [name, other] : {std::pair{"depth", "depth.Z"}, {"z", "Z"}, {"id", "id.X"}, {"A", "A"}}) {
+    const SharedLayer layer(a, b, {name}, {other});
     if (!layer.shared()) continue;
     mask.by = name;
     const bool finite = mask.by == "depth" || mask.by == "z";
@@ -107,8 +117,9 @@ LayerDifference summarized(std::string name, std::string unit, std::vector<Pixel
 }  // namespace
 
 bool Comparison::within(double tolerance) const {
-  return mask.only_a + mask.only_b == 0 &&
-         std::ranges::all_of(layers, [&](const auto& layer) { return layer.largest <= tolerance; });
+  return mask.only_a + mask.only_b == 0 && std::ranges::all_of(layers, [&](const auto& layer) {
+           return !layer.decides || layer.largest <= tolerance;
+         });
 }
 
 Comparison compare_images(const Image& a, const Image& b) {
@@ -118,7 +129,8 @@ Comparison compare_images(const Image& a, const Image& b) {
   Comparison comparison{a.width, a.height, compare_masks(a, b), {}};
   const auto& hit = comparison.mask.by_pixel;
   const auto add = [&](const char* name, const char* unit, const SharedLayer& layer, auto difference_at,
-                       bool hits_only) {
+                       bool hits_only, bool decides = true) {
+    if (layer.in_a() != layer.in_b()) (layer.in_a() ? comparison.only_a : comparison.only_b).push_back(name);
     if (!layer.shared()) return;
     std::vector<PixelDifference> pixels;
     for (int y = 0; y < a.height; ++y)
@@ -128,14 +140,23 @@ Comparison compare_images(const Image& a, const Image& b) {
           pixels.push_back({x, y, difference_at(layer, x, y)});
       }
     comparison.layers.push_back(summarized(name, unit, std::move(pixels), a.width, a.height));
+    comparison.layers.back().decides = decides;
   };
-  add("depth", "world units", {a, b, {"depth"}}, largest_difference, true);
-  add("z", "world units", {a, b, {"z"}}, largest_difference, true);
-  add("normal", "degrees", {a, b, {"normal.X", "normal.Y", "normal.Z"}}, angle, true);
+  add("depth", "world units", {a, b, {"depth"}, {"depth.Z"}}, largest_difference, true);
+  add("z", "world units", {a, b, {"z"}, {"Z"}}, largest_difference, true);
+  add("normal", "degrees", {a, b, {"normal.X", "normal.Y", "normal.Z"}, {"N.X", "N.Y", "N.Z"}}, angle, true);
   add("color", "linear", {a, b, {"R", "G", "B", "A"}}, largest_difference, false);
+  add("position", "world units", {a, b, {"position.X", "position.Y", "position.Z"}, {"P.X", "P.Y", "P.Z"}},
+      largest_difference, true);
+  add("value", "field", {a, b, {"value"}, {"value.X"}}, largest_difference, true);
+  add("albedo", "linear", {a, b, {"albedo.R", "albedo.G", "albedo.B"}}, largest_difference, true);
+  add("id", "differs", {a, b, {"id"}, {"id.X"}}, differs, true);
+  add("object", "differs", {a, b, {"object"}, {"object.X"}}, differs, true);
+  add("certificate", "steps", {a, b, {"certificate"}, {"certificate.X"}}, largest_difference, false, false);
+  add("cost", "units", {a, b, {"cost"}, {"cost.X"}}, largest_difference, false, false);
   if (comparison.layers.empty())
     throw InputError(
-        "the pictures share none of the layers depth, z, normal and colour (R G B A), one was expected");
+        "the pictures share none of the layers of 'render --aov' and no colour (R G B A), one was expected");
   for (LayerDifference& layer : comparison.layers)
     if (layer.name == "normal") layer.largest *= std::numbers::pi / 180;
   return comparison;

@@ -15,15 +15,17 @@ struct PixelDifference {
   double difference;
 };
 
-/// Differences of one layer over the pixels that count: of depth, z (world units) and normal (degrees) those
-/// that are hit in both pictures, of the colour (the largest of R G B A, linear) all. +inf where one of two
-/// numbers is NaN.
+/// Differences of one layer over the pixels that count: of the colour (the largest of R G B A, linear) all,
+/// of cost and certificate all, else those that are hit in both pictures. id and object: 1 where they differ.
+/// +inf where one of two numbers is NaN.
 ///
+/// decides   the tolerance holds for it: not for cost and certificate, which are the methods' own
 /// largest   what the tolerance is for: max, of normals in radians
 /// worst     the largest differences, at most ten; none that is zero
 /// by_pixel  rows from the top; zero where the layer does not count
 struct LayerDifference {
   std::string name, unit;
+  bool decides = true;
   std::int64_t pixels = 0;
   double p50 = 0, p90 = 0, p99 = 0, max = 0, largest = 0;
   std::vector<PixelDifference> worst;
@@ -41,11 +43,14 @@ struct MaskDifference {
   std::vector<std::array<bool, 2>> by_pixel;
 };
 
-/// The layers that both pictures have: depth, z, normal, color.
+/// The layers that both pictures have, under either of their names (ChannelNames).
+///
+/// only_a, only_b  the names of those that one has alone
 struct Comparison {
   int width, height;
   MaskDifference mask;
   std::vector<LayerDifference> layers;
+  std::vector<std::string> only_a = {}, only_b = {};
 
   /// The same pixels are hit, and nothing differs by more.
   [[nodiscard]] bool within(double tolerance) const;

@@ -1,7 +1,7 @@
 // What isocast info says of a formula.
 #pragma once
 
-#include <isocast/apps/isocast/formula_input.h>
+#include <isocast/apps/scene_build/formula_input.h>
 
 namespace isocast {
 

@@ -149,9 +149,9 @@ void print_table(const std::string& file, const Volume& volume, const VolumeStat
 
 void run(const InfoOptions& options) {
   const Parameters parameters = parse_parameters(options.params, "--param");
-  if (!is_volume_file(options.file, parameters) && !std::filesystem::exists(options.file)) {
-    print_formula_info(read_formula({options.file, parameters, {}}), parse_number(options.time, "--time"),
-                       options.json);
+  if (!is_volume_file(typed_formula(options.file), parameters) && !std::filesystem::exists(options.file)) {
+    print_formula_info(read_formula({typed_formula(options.file), parameters, {}}),
+                       parse_number(options.time, "--time"), options.json);
     return;
   }
   const Volume volume = read_volume(options.file, options.read);

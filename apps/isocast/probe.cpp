@@ -121,10 +121,12 @@ void print(const Probe& probe, const std::vector<double>& iso, const char* unit)
 }
 
 void run(const ProbeWords& words) {
-  const auto [width, height] = parse_size(words.scene.size);
-  const std::array<int, 2> pixel = parse_pixel(words.pixel, width, height);
   SceneDescription description = describe(words.scene);
-  description.objects.front().iso = parse_frames(words.scene).front();
+  const auto [width, height] = size_of(words.scene, description);
+  const std::array<int, 2> pixel = parse_pixel(words.pixel, width, height);
+  const std::vector<double> iso =
+      words.scene.iso.empty() ? std::vector<double>() : parse_numbers(words.scene.iso, "--iso");
+  if (!iso.empty()) description.objects.front().iso = iso;
   const std::vector<ProbeMethod> methods = methods_of(description.objects.front());
   const Isa isa = isa_from_name(words.scene.isa);
   const BuiltScene built = build_scene(description, {isa, false});

@@ -1,98 +1,12 @@
 // isocast render: a picture of the iso-surfaces of a volume or a formula.
-#include <fmt/format.h>
-#include <isocast/apps/isocast/render_words.h>
+#include <isocast/apps/isocast/render_frames.h>
 #include <isocast/apps/isocast/scene_options.h>
-#include <isocast/apps/isocast/stats.h>
 #include <isocast/apps/isocast/verbs.h>
-#include <isocast/base/error.h>
-#include <isocast/base/interrupt.h>
-#include <isocast/base/output_file.h>
-#include <isocast/render/image_file.h>
-#include <isocast/render/render.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <memory>
 
 namespace isocast::verbs {
-namespace {
-namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-// out.png -> out_0003.png when there are several frames
-fs::path frame_path(const fs::path& output, std::size_t frame, std::size_t frames) {
-  if (frames == 1) return output;
-  return output.parent_path() /
-         fmt::format("{}_{:04}{}", output.stem().string(), frame, output.extension().string());
-}
-
-void write_stats(const std::string& where, const std::string& text) {
-  if (where == "-") fmt::print("{}", text);
-  else write_text_file(where, text);
-}
-
-void run(const RenderWords& words) {
-  const Clock::time_point start = Clock::now();
-  const std::string extension = fs::path(words.output).extension().string();
-  const bool exr = extension == ".exr";
-  if (!exr && extension != ".png")
-    throw InputError(fmt::format("-o {}: expected a name that ends with .png or .exr", words.output));
-  const auto [width, height] = parse_size(words.size);
-  const std::vector<Layer> layers = parse_layers(words, exr);
-  const std::vector<std::vector<double>> frames = parse_frames(words);
-  SceneDescription description = describe(words);
-  description.objects.front().iso = frames.front();
-  const EvaluationSettings evaluation = evaluation_of(words);
-  const int threads = words.threads > 0 ? words.threads : oneapi::tbb::info::default_concurrency();
-  const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
-                                          static_cast<std::size_t>(threads));
-  // a bad name fails before the work
-  { const OutputFile writable(frame_path(words.output, 0, frames.size())); }
-  if (!words.stats.empty() && words.stats != "-") { const OutputFile writable(words.stats); }
-
-  BuiltScene built = build_scene(description, evaluation);
-  if (!built.proves() && std::ranges::find(layers, Layer::certificate) != layers.end())
-    throw InputError(
-        fmt::format("--aov certificate: the method {} proves nothing with these options ('isocast methods' "
-                    "says which do)",
-                    built.objects.front().method));
-  const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
-  const RenderSettings settings = settings_of(words);
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (i > 0) built.set_iso(0, frames[i], description.objects.front().materials);
-    Film film(width, height, layers);
-    const Clock::time_point render_start = Clock::now();
-    RenderCounts counts;
-    {
-      Progress progress("rendering", tile_count(view));
-      counts = render(built.scene, view, settings, film, interrupt_token(), &progress);
-    }
-    const double render_ms = ms_since(render_start);
-    const Clock::time_point write_start = Clock::now();
-    const fs::path path = frame_path(words.output, i, frames.size());
-    if (exr) write_exr(path, width, height, image_layers(film));
-    else write_png(path, width, height, film.color().data());
-    const double write_ms = ms_since(write_start);
-    if (words.stats.empty()) continue;
-    const FrameReport report{built,           find_features(built.scene, film, settings),
-                             counts,          std::string(name_of(evaluation.isa)),
-                             words.precision, threads,
-                             width,           height,
-                             settings.spp,    render_ms,
-                             write_ms,        ms_since(start)};
-    write_stats(frames.size() == 1 || words.stats == "-" ? words.stats
-                                                         : frame_path(words.stats, i, frames.size()).string(),
-                stats_json(report, ISOCAST_VERSION));
-  }
-}
-
-}  // namespace
 
 void add_picture_options(CLI::App* verb, RenderWords* w) {
   add_scene_options(
@@ -130,6 +44,15 @@ void add_picture_options(CLI::App* verb, RenderWords* w) {
   verb->add_option("--reflections", w->reflections,
                    "How often a ray is mirrored where --reflectivity says so (default 1)")
       ->check(CLI::Range(0, 16));
+  verb->add_option("--ambient-occlusion", w->ambient_occlusion,
+                   "Light from everywhere, as far as nothing is in its way: rays per hit (default 0: none)")
+      ->check(CLI::Range(0, 4096));
+  verb->add_option("--ambient-occlusion-radius", w->ambient_occlusion_radius,
+                   "How far away something may be in its way, in world units (default: anywhere)");
+  verb->add_option(
+          "--filter", w->filter,
+          "How --spp samples lie around a pixel's centre: box (default), triangle, gaussian or blackman")
+      ->check(CLI::IsMember({"box", "triangle", "gaussian", "blackman"}));
   verb->add_option("--environment", w->environment,
                    "Picture of all directions (longitude by latitude, z up; .exr .hdr .png .jpg), seen where "
                    "nothing is hit and in reflections (default: white)");
@@ -147,12 +70,27 @@ void add_render(CLI::App& app) {
       "render", "Pictures of iso-surfaces of a volume or a formula: PNG, or EXR with layers");
   const auto w = std::make_shared<RenderWords>();
   add_picture_options(verb, w.get());
-  verb->add_option("-o", w->output, "The picture: .png (sRGB) or .exr (linear, with layers)")->required();
+  verb->add_option("-o", w->output,
+                   "The picture: .png (sRGB) or .exr (linear, with layers); %04d is the frame's number")
+      ->required();
+  verb->add_option(
+      "--frames", w->frames,
+      "FIRST:LAST, the frames of an animation, of --time FROM:TO or of --iso-sweep (default: all)");
+  verb->add_option("--shard", w->shard, "I/N: every N-th frame from the I-th on, I from 1 to N");
+  verb->add_flag(
+      "--resume", w->resume,
+      "Frames that are there are not rendered again: whole files of the same scene, inputs, options "
+      "and version, as the manifest beside them says");
   verb->add_option("--iso-sweep", w->iso_sweep,
                    "FROM:TO:COUNT, a frame per value: OUT_0000.png, OUT_0001.png, ...");
-  verb->add_option("--aov", w->aov, "Layers of the EXR: depth,z,normal,position,id,value,cost,certificate");
+  verb->add_option("--aov", w->aov,
+                   "Layers of the EXR: depth,z,normal,position,id,object,value,albedo,cost,certificate");
+  verb->add_option(
+          "--exr-names", w->exr_names,
+          "Names of the EXR's channels: plain (as --aov has them), or compositor (Z, depth.Z, N.X, P.X, ...)")
+      ->check(CLI::IsMember({"plain", "compositor"}));
   verb->add_option("--stats", w->stats, "What was done, as JSON, to a file or - for stdout");
-  verb->callback([w] { run(*w); });
+  verb->callback([w] { render_frames(*w, ISOCAST_VERSION); });
 }
 
 }  // namespace isocast::verbs

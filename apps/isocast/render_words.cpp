@@ -1,9 +1,12 @@
 #include <fmt/format.h>
-#include <isocast/apps/isocast/formula_input.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/isocast/render_words.h>
+#include <isocast/apps/scene_build/animation.h>
+#include <isocast/apps/scene_build/formula_input.h>
+#include <isocast/apps/scene_build/scene_file.h>
 #include <isocast/base/error.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -17,13 +20,15 @@ std::optional<Double3> parse_vector(const std::string& text, const char* option)
   return Double3{v[0], v[1], v[2]};
 }
 
+// FROM:TO is for frames.
 double parse_time(const RenderWords& words) {
-  return words.time.empty() ? 0 : parse_number(words.time, "--time");
+  const bool one = !words.time.empty() && words.time.find(':') == std::string::npos;
+  return one ? parse_number(words.time, "--time") : 0;
 }
 
 std::variant<VolumeSource, FormulaSource> find_source(const RenderWords& words) {
-  FormulaRequest request{words.input, parse_parameters(words.params, "--param"), {}};
-  if (is_volume_file(words.input, request.parameters)) {
+  FormulaRequest request{typed_formula(words.input), parse_parameters(words.params, "--param"), {}};
+  if (is_volume_file(request.text, request.parameters)) {
     if (!words.domain.empty() || (words.clips.empty() && (!words.params.empty() || !words.time.empty())))
       throw InputError("found --param, --domain or --time for a volume, expected them for a formula");
     return VolumeSource{words.input, words.read};
@@ -62,7 +67,79 @@ NormalKind normals_from(const std::string& name) {
                                : NormalKind::gradient;
 }
 
+// The input as the only object.
+ObjectDescription describe_object(const RenderWords& words) {
+  ObjectDescription object;
+  std::visit([&](auto&& source) { object.source = std::move(source); }, find_source(words));
+  object.method = words.method;
+  for (const std::string& word : words.set) object.settings.insert(parse_key_value(word, "--set"));
+  object.materials = describe_materials(words);
+  object.by_component = words.by_component;
+  const bool formula = std::holds_alternative<FormulaSource>(object.source);
+  if (object.by_component && !formula)
+    throw InputError("found --color-components for a volume, expected it for a formula");
+  object.normals = normals_from(words.normals);
+  if (object.normals == NormalKind::neighbour && !formula)
+    throw InputError("found --normals neighbour for a volume, expected it for a formula");
+  for (const std::string& word : words.clips)
+    object.clips.push_back(
+        {parse_expression(typed_formula(word), parse_parameters(words.params, "--param"), "--clip"),
+         parse_time(words)});
+  return object;
+}
+
+// The scene of a file: options of objects are for scenes of one, and some for none.
+SceneDescription open_scene(const RenderWords& words) {
+  SceneDescription scene = read_scene(words.input);
+  const struct {
+    bool given;
+    const char *option, *key;
+  } of_objects[] = {{!words.iso.empty(), "--iso", "iso"},
+                    {!words.iso_sweep.empty(), "--iso-sweep", "animation.keys[].iso"},
+                    {words.method != "auto", "--method", "method"},
+                    {!words.set.empty(), "--set", "set"},
+                    {!words.colors.empty(), "--colors", "material.color"},
+                    {!words.opacity.empty(), "--opacity", "material.opacity"},
+                    {!words.reflectivity.empty(), "--reflectivity", "material.reflectivity"},
+                    {words.normals != "gradient", "--normals", "normals"}},
+    of_files[] = {{!words.params.empty(), "--param", "params"},
+                  {!words.domain.empty(), "--domain", "domain"},
+                  {!words.clips.empty(), "--clip", "clip"},
+                  {words.by_component, "--color-components", "color_components"},
+                  {words.read.describes_raw(), "--dims, --type, --endian or --skip",
+                   "dims, sample_type, endian and skip"},
+                  {!words.read.grid.empty(), "--grid", "grid"}};
+  const auto refuse = [&](const auto& words_of, const char* why) {
+    for (const auto& word : words_of)
+      if (word.given)
+        throw InputError(fmt::format("found {} for {}, {}: expected the key '{}' of an object there",
+                                     word.option, words.input, why, word.key));
+  };
+  refuse(of_files, "a scene");
+  if (scene.objects.size() > 1) refuse(of_objects, "a scene of several objects");
+  if (!words.camera.empty()) use_camera(scene, words.camera);
+  ObjectDescription& object = scene.objects.front();
+  if (words.method != "auto") object.method = words.method, object.settings.clear();
+  for (const std::string& word : words.set) object.settings.insert(parse_key_value(word, "--set"));
+  const MaterialDescription materials = describe_materials(words);
+  if (!materials.colors.empty()) object.materials.colors = materials.colors;
+  if (!materials.opacities.empty()) object.materials.opacities = materials.opacities;
+  if (!materials.reflectivities.empty()) object.materials.reflectivities = materials.reflectivities;
+  if (words.normals != "gradient") object.normals = normals_from(words.normals);
+  return scene;
+}
+
 }  // namespace
+
+MaterialDescription describe_materials(const RenderWords& words) {
+  MaterialDescription materials;
+  if (!words.colors.empty())
+    for (const std::string& color : split(words.colors, ','))
+      materials.colors.push_back(color_from_hex(color));
+  materials.opacities = parse_shares(words.opacity, "--opacity");
+  materials.reflectivities = parse_shares(words.reflectivity, "--reflectivity");
+  return materials;
+}
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -75,6 +152,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 }
 
 std::array<int, 2> parse_size(const std::string& text) {
+  if (text.empty()) return {1024, 1024};
   const std::vector<std::string> parts = split(text, 'x');
   constexpr double kLargest = 32768;
   if (parts.size() == 2) {
@@ -86,21 +164,6 @@ std::array<int, 2> parse_size(const std::string& text) {
       fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, each from 1 to {}", text, kLargest));
 }
 
-std::vector<std::vector<double>> parse_frames(const RenderWords& words) {
-  const std::vector<double> iso =
-      words.iso.empty() ? std::vector<double>{} : parse_numbers(words.iso, "--iso");
-  if (words.iso_sweep.empty()) return {iso};
-  if (!iso.empty()) throw InputError("--iso and --iso-sweep exclude each other");
-  const std::vector<std::string> parts = split(words.iso_sweep, ':');
-  const double n = parts.size() == 3 ? parse_number(parts[2], "--iso-sweep") : 0;
-  if (!(n >= 1 && n <= 100000 && n == std::floor(n)))
-    throw InputError(fmt::format("--iso-sweep {}: expected FROM:TO:COUNT", words.iso_sweep));
-  const double from = parse_number(parts[0], "--iso-sweep"), to = parse_number(parts[1], "--iso-sweep");
-  std::vector<std::vector<double>> frames;
-  for (int i = 0; i < n; ++i) frames.push_back({n == 1 ? from : from + (to - from) * i / (n - 1)});
-  return frames;
-}
-
 std::vector<Layer> parse_layers(const RenderWords& words, bool exr) {
   std::vector<Layer> layers;
   if (words.aov.empty()) return layers;
@@ -110,65 +173,79 @@ std::vector<Layer> parse_layers(const RenderWords& words, bool exr) {
   return layers;
 }
 
-MaterialDescription materials_of(const RenderWords& words) {
-  MaterialDescription materials;
-  if (!words.colors.empty())
-    for (const std::string& color : split(words.colors, ','))
-      materials.colors.push_back(color_from_hex(color));
-  materials.opacities = parse_shares(words.opacity, "--opacity");
-  materials.reflectivities = parse_shares(words.reflectivity, "--reflectivity");
-  return materials;
+void change_camera(const RenderWords& words, CameraWishes& camera) {
+  const auto change = [](const std::optional<Double3>& point, std::optional<Double3>& to) {
+    if (point) to = point;
+  };
+  change(parse_vector(words.position, "--camera-position"), camera.position);
+  change(parse_vector(words.target, "--camera-target"), camera.target);
+  change(parse_vector(words.up, "--camera-up"), camera.up);
+  if (!words.fov.empty()) camera.fov = parse_number(words.fov, "--fov"), camera.ortho_height.reset();
+  if (!words.ortho.empty()) camera.ortho_height = parse_number(words.ortho, "--ortho"), camera.fov.reset();
 }
 
-CameraWishes camera_of(const RenderWords& words) {
-  CameraWishes camera{parse_vector(words.position, "--camera-position"),
-                      parse_vector(words.target, "--camera-target"), parse_vector(words.up, "--camera-up"),
-                      std::nullopt, std::nullopt};
-  if (!words.fov.empty()) camera.fov = parse_number(words.fov, "--fov");
-  if (!words.ortho.empty()) camera.ortho_height = parse_number(words.ortho, "--ortho");
-  return camera;
+RenderSettings settings_of(const RenderWords& words, const RenderWishes& wishes) {
+  RenderSettings settings;
+  settings.spp = words.spp.value_or(words.aa == "spp" ? 4 : wishes.spp.value_or(1));
+  settings.filter = filter_from_name(words.filter);
+  if (settings.filter != PixelFilter::box && settings.spp == 1)
+    throw InputError(
+        fmt::format("--filter {}: found one sample a pixel, expected --spp above 1", words.filter));
+  settings.silhouettes = words.aa == "silhouette";
+  settings.transparency_depth = words.transparency_depth.value_or(wishes.transparency_depth.value_or(4));
+  settings.reflections = words.reflections.value_or(wishes.reflections.value_or(1));
+  return settings;
 }
 
 EvaluationSettings evaluation_of(const RenderWords& words) {
   return {isa_from_name(words.isa), words.precision == "double", words.precision == "mixed"};
 }
 
-RenderSettings settings_of(const RenderWords& words) {
-  RenderSettings settings;
-  settings.spp = words.aa == "spp" && words.spp == 1 ? 4 : words.spp;
-  settings.silhouettes = words.aa == "silhouette";
-  settings.transparency_depth = words.transparency_depth;
-  settings.reflections = words.reflections;
-  return settings;
+SceneDescription describe_all(const RenderWords& words) {
+  const bool from_file = is_scene_file(words.input);
+  SceneDescription scene = from_file ? open_scene(words) : SceneDescription();
+  if (!from_file) scene.objects.front() = describe_object(words);
+  const bool formulas = std::ranges::all_of(scene.objects, [](const ObjectDescription& object) {
+    return std::holds_alternative<FormulaSource>(object.source);
+  });
+  if (words.aa == "silhouette" && !formulas)
+    throw InputError("found --aa silhouette for a volume, expected it for a formula");
+  if ((words.aa == "silhouette" || words.aa == "none") && words.spp.value_or(1) > 1)
+    throw InputError(
+        fmt::format("--aa {}: found --spp {}, expected one sample a pixel", words.aa, *words.spp));
+  if (!words.lights.empty()) scene.lights = parse_lights(words.lights);
+  scene.shadows = scene.shadows || words.shadows;
+  if (!words.environment.empty()) scene.environment = words.environment;
+  if (words.ambient_occlusion > 0) scene.ambient_occlusion.samples = words.ambient_occlusion;
+  if (!words.ambient_occlusion_radius.empty()) {
+    const double radius = parse_number(words.ambient_occlusion_radius, "--ambient-occlusion-radius");
+    if (!(radius > 0) || scene.ambient_occlusion.samples == 0)
+      throw InputError(
+          fmt::format("--ambient-occlusion-radius {}: expected a length above 0, with "
+                      "--ambient-occlusion",
+                      words.ambient_occlusion_radius));
+    scene.ambient_occlusion.radius = radius;
+  }
+  return scene;
+}
+
+SceneDescription describe_frame(const RenderWords& words, const SceneDescription& all, const FrameJob& job) {
+  SceneDescription scene = description_at(all, job.number);
+  if (job.time) scene = at_time(scene, *job.time);
+  if (!job.iso.empty()) scene.objects.front().iso = job.iso;
+  change_camera(words, scene.camera);
+  return scene;
 }
 
 SceneDescription describe(const RenderWords& words) {
-  SceneDescription scene;
-  ObjectDescription& object = scene.objects.front();
-  std::visit([&](auto&& source) { object.source = std::move(source); }, find_source(words));
-  object.method = words.method;
-  for (const std::string& word : words.set) object.settings.insert(parse_key_value(word, "--set"));
-  object.materials = materials_of(words);
-  object.by_component = words.by_component;
-  if (object.by_component && !std::holds_alternative<FormulaSource>(object.source))
-    throw InputError("found --color-components for a volume, expected it for a formula");
-  object.normals = normals_from(words.normals);
-  if (object.normals == NormalKind::neighbour && !std::holds_alternative<FormulaSource>(object.source))
-    throw InputError("found --normals neighbour for a volume, expected it for a formula");
-  if (words.aa == "silhouette" && !std::holds_alternative<FormulaSource>(object.source))
-    throw InputError("found --aa silhouette for a volume, expected it for a formula");
-  if ((words.aa == "silhouette" || words.aa == "none") && words.spp > 1)
-    throw InputError(
-        fmt::format("--aa {}: found --spp {}, expected one sample a pixel", words.aa, words.spp));
-  for (const std::string& word : words.clips)
-    object.clips.push_back(
-        {parse_expression(typed_formula(word), parse_parameters(words.params, "--param"), "--clip"),
-         parse_time(words)});
-  scene.camera = camera_of(words);
-  scene.lights = parse_lights(words.lights);
-  scene.shadows = words.shadows;
-  scene.environment = words.environment;
-  return scene;
+  const SceneDescription all = describe_all(words);
+  FrameJob first{.number = frames_of(all)[0]};
+  if (!words.time.empty()) first.time = parse_time(words);
+  return describe_frame(words, all, first);
+}
+
+std::array<int, 2> size_of(const RenderWords& words, const SceneDescription& scene) {
+  return words.size.empty() && scene.wishes.size ? *scene.wishes.size : parse_size(words.size);
 }
 
 }  // namespace isocast

@@ -5,6 +5,7 @@
 #include <isocast/render/features.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,15 +13,26 @@ namespace isocast {
 
 /// The command line as it was typed.
 struct RenderWords {
-  std::string input, output, iso, iso_sweep, colors, method = "auto", size = "1024x1024", isa = "auto",
-                                                     precision = "float";
+  std::string input, output, iso, iso_sweep, colors, method = "auto", size, isa = "auto", precision = "float";
   std::string position, target, up, fov, ortho, normals = "gradient", aov, stats;
-  std::string domain, time, opacity, reflectivity, environment, aa;
+  std::string frames, shard, exr_names = "plain", domain, time, opacity, reflectivity, environment, aa,
+                             camera, filter = "box", ambient_occlusion_radius;
   std::vector<std::string> set, params, lights, clips;
-  bool shadows = false, by_component = false;
-  int spp = 1, threads = 0, transparency_depth = 4, reflections = 1;
+  bool shadows = false, by_component = false, resume = false;
+  std::optional<int> spp, transparency_depth, reflections;  // not given: the scene's, or 1, 4 and 1
+  int threads = 0, ambient_occlusion = 0;
   ReadOptions read;
   bool operator==(const RenderWords&) const = default;
+};
+
+/// A frame with what the command line changes in it.
+///
+/// iso   empty: those of the scene
+/// time  none: the scene's
+struct FrameJob {
+  int number = 0;
+  std::vector<double> iso = {};
+  std::optional<double> time = {};
 };
 
 /// The parts between separators; at least one.
@@ -28,26 +40,32 @@ struct RenderWords {
 
 /// All of these throw InputError for words that cannot be used.
 ///
-/// "WIDTHxHEIGHT" in pixels
+/// "WIDTHxHEIGHT" in pixels; empty: 1024x1024
 [[nodiscard]] std::array<int, 2> parse_size(const std::string& text);
-
-/// The iso-values of every frame: one frame of all of --iso, or one value a frame.
-[[nodiscard]] std::vector<std::vector<double>> parse_frames(const RenderWords& words);
 
 /// The layers of --aov, which only an EXR can hold.
 [[nodiscard]] std::vector<Layer> parse_layers(const RenderWords& words, bool exr);
 
 /// The looks of the iso-values, or of the components.
-[[nodiscard]] MaterialDescription materials_of(const RenderWords& words);
+[[nodiscard]] MaterialDescription describe_materials(const RenderWords& words);
 
-/// What is fixed of the camera.
-[[nodiscard]] CameraWishes camera_of(const RenderWords& words);
+/// What the words fix of the camera, over what is fixed already.
+void change_camera(const RenderWords& words, CameraWishes& camera);
 
 /// How the scene is evaluated, and how its picture is shaded.
 [[nodiscard]] EvaluationSettings evaluation_of(const RenderWords& words);
-[[nodiscard]] RenderSettings settings_of(const RenderWords& words);
+[[nodiscard]] RenderSettings settings_of(const RenderWords& words, const RenderWishes& wishes);
 
-/// The scene but its iso-values.
+/// The scene that the words name, a file with what the words change of it, or one object, for all frames:
+/// before its animation.
+[[nodiscard]] SceneDescription describe_all(const RenderWords& words);
+/// That scene at a frame.
+[[nodiscard]] SceneDescription describe_frame(const RenderWords& words, const SceneDescription& all,
+                                              const FrameJob& job);
+/// The scene at its first frame, but for the iso-values of --iso.
 [[nodiscard]] SceneDescription describe(const RenderWords& words);
+
+/// The size of the picture: the words', else the scene's, else 1024x1024.
+[[nodiscard]] std::array<int, 2> size_of(const RenderWords& words, const SceneDescription& scene);
 
 }  // namespace isocast

@@ -1,8 +1,8 @@
 // isocast sample: a formula, a catalogue surface or a test volume on a grid, into a volume file.
 #include <fmt/format.h>
-#include <isocast/apps/isocast/formula_input.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/isocast/verbs.h>
+#include <isocast/apps/scene_build/formula_input.h>
 #include <isocast/base/error.h>
 #include <isocast/data_gen/test_volumes.h>
 #include <isocast/data_gen/volume_header.h>
@@ -43,7 +43,7 @@ Source find_source(const Request& request) {
     throw InputError("found --set without a test volume, expected --param for a formula");
   const Parameters parameters = parse_parameters(request.params, "--param");
   const double time = parse_number(request.time, "--time");
-  const FormulaInput input = read_formula({request.input, parameters, {}});
+  const FormulaInput input = read_formula({typed_formula(request.input), parameters, {}});
   return {formula_field(input.expression, time), input.domain};
 }
 

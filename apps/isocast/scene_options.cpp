@@ -7,7 +7,7 @@ namespace isocast {
 
 void add_scene_options(CLI::App& verb, RenderWords& w, const char* method) {
   verb.add_option("INPUT", w.input,
-                  "A volume file, a formula of x y z w, a .vm tape, or @id of the catalogue")
+                  "A scene .json, a volume file, a formula of x y z w, a .vm tape, or @id of the catalogue")
       ->required();
   verb.add_option(
       "--iso", w.iso,
@@ -21,6 +21,7 @@ void add_scene_options(CLI::App& verb, RenderWords& w, const char* method) {
   verb.add_option("--method", w.method, method);
   verb.add_option("--set", w.set, "An option of the method, KEY=VALUE")->allow_extra_args(false);
   verb.add_option("--size", w.size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
+  verb.add_option("--camera", w.camera, "One of a scene's cameras, by name (default: the first)");
   verb.add_option("--camera-position", w.position, "X,Y,Z in world units (default: frames the volume)");
   verb.add_option("--camera-target", w.target, "X,Y,Z in world units");
   verb.add_option("--camera-up", w.up, "X,Y,Z (default 0,0,1)");

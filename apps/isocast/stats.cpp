@@ -37,9 +37,11 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
   stats["memory_mb"] = {{"peak", static_cast<double>(usage.ru_maxrss) * 1024 / kMega},
                         {"volume", static_cast<double>(r.built.volume_bytes) / kMega},
                         {"acceleration", static_cast<double>(r.built.acceleration_bytes) / kMega}};
-  const std::int64_t rays = r.counts.primary + r.counts.shadow + r.counts.reflection + r.counts.transparency;
+  const std::int64_t rays =
+      r.counts.primary + r.counts.shadow + r.counts.occlusion + r.counts.reflection + r.counts.transparency;
   stats["rays"] = {{"primary", r.counts.primary},
                    {"shadow", r.counts.shadow},
+                   {"occlusion", r.counts.occlusion},
                    {"reflection", r.counts.reflection},
                    {"transparency", r.counts.transparency}};
   stats["mrays_per_s"] = static_cast<double>(rays) / (1000 * r.render_ms);

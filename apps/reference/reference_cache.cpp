@@ -1,4 +1,4 @@
-#include <isocast/apps/reference/hash.h>
+#include <isocast/base/hash.h>
 #include <isocast/apps/reference/reference_cache.h>
 #include <isocast/base/error.h>
 #include <isocast/base/interrupt.h>

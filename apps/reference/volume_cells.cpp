@@ -1,5 +1,5 @@
 #include <fmt/format.h>
-#include <isocast/apps/reference/hash.h>
+#include <isocast/base/hash.h>
 #include <isocast/apps/reference/volume_cells.h>
 #include <isocast/base/error.h>
 #include <isocast/volume/grid.h>

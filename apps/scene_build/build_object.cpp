@@ -1,10 +1,13 @@
 #include <fmt/format.h>
+#include <isocast/apps/scene_build/build_csg.h>
 #include <isocast/apps/scene_build/build_object.h>
 #include <isocast/base/error.h>
 #include <isocast/base/mapped_file.h>
 #include <isocast/implicit/automatic.h>
 #include <isocast/implicit/formula_region.h>
 #include <isocast/ray/clipped_surface.h>
+#include <isocast/ray/transformed_surface.h>
+#include <isocast/scene/mesh/mesh_surface.h>
 #include <isocast/volume/statistics.h>
 
 #include <chrono>
@@ -27,6 +30,33 @@ std::vector<double> best_iso(const Volume& volume, const std::filesystem::path& 
 }
 
 using Clock = std::chrono::steady_clock;
+
+bool is_identity(const Transform& t) {
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 4; ++c)
+      if (t.m[r][c] != (r == c ? 1 : 0)) return false;
+  return true;
+}
+
+// The same samples somewhere else.
+std::shared_ptr<const Volume> moved(const std::shared_ptr<const Volume>& volume, const Transform& place) {
+  if (is_identity(place)) return volume;
+  auto other = std::make_shared<Volume>(*volume);
+  other->world_from_grid = place * volume->world_from_grid;
+  return other;
+}
+void move(Mesh& mesh, const Transform& place) {
+  if (is_identity(place)) return;
+  for (Double3& p : mesh.positions) p = place.point(p);
+  const Transform back = place.inverse();
+  for (auto& n : mesh.normals) {
+    const Double3 turned = normalized(back.transposed_vector({n[0], n[1], n[2]}));
+    for (std::size_t a = 0; a < 3; ++a) n[a] = static_cast<float>(turned[a]);
+  }
+  // a mirror turns triangles inside out
+  if (place.determinant() < 0)
+    for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+}
 
 // What is used goes to the features, the rest to what was left out.
 void list(BuiltObject& built, bool used, const char* name) {
@@ -64,10 +94,11 @@ void use(ObjectSurface& object, const std::shared_ptr<SurfaceKind>& surface, con
 }
 
 void build(ObjectSurface& object, const VolumeSource& source, const ObjectDescription& wanted,
-           const EvaluationSettings& settings) {
+           const BuildContext& context) {
+  const EvaluationSettings& settings = context.settings;
   BuiltObject& built = object.built;
   VolumeSurfaceOptions options;
-  options.object = static_cast<std::uint16_t>(built.place);
+  options.object = context.number;
   options.method = choose_cell_method(wanted.method, wanted.settings);
   options.double_precision = settings.double_precision;
   options.isa = settings.isa;
@@ -79,7 +110,7 @@ void build(ObjectSurface& object, const VolumeSource& source, const ObjectDescri
     built.method_reason = "the first root of the exact cubic, isolated: right and fastest of those that are";
 
   auto start = Clock::now();
-  const auto volume = std::make_shared<const Volume>(read_volume(source.file, source.read));
+  const auto volume = moved(context.library.get(source), wanted.place);
   options.iso = wanted.iso.empty() ? best_iso(*volume, source.file) : wanted.iso;
   built.load_ms = ms_since(start);
 
@@ -90,6 +121,11 @@ void build(ObjectSurface& object, const VolumeSource& source, const ObjectDescri
   built.volume_bytes = volume->bytes();
   built.acceleration_bytes = static_cast<std::int64_t>(surface->acceleration_bytes());
   use(object, surface, options, choose_cell_method);
+  object.above = true;
+  if (!volume->tree)
+    object.solid = {
+        {{0, 0, 0}, {double(volume->dims[0] - 1), double(volume->dims[1] - 1), double(volume->dims[2] - 1)}},
+        volume->world_from_grid};
 
   built.features = {"volume", fmt::format("iso:{}", options.iso.size()),
                     fmt::format("format:{}", volume->format)};
@@ -103,10 +139,11 @@ void build(ObjectSurface& object, const VolumeSource& source, const ObjectDescri
 }
 
 void build(ObjectSurface& object, const FormulaSource& source, const ObjectDescription& wanted,
-           const EvaluationSettings& settings) {
+           const BuildContext& context) {
+  const EvaluationSettings& settings = context.settings;
   BuiltObject& built = object.built;
   ImplicitSurfaceOptions options;
-  options.object = static_cast<std::uint16_t>(built.place);
+  options.object = context.number;
   const bool automatic = wanted.method == "auto";
   options.method = choose_formula_method(automatic ? "affine" : wanted.method, wanted.settings);
   options.double_precision = settings.double_precision;
@@ -129,16 +166,43 @@ void build(ObjectSurface& object, const FormulaSource& source, const ObjectDescr
   const auto surface = std::make_shared<ImplicitSurface>(source.expression, source.domain, options);
   built.build_ms = ms_since(start);
   use(object, surface, options, choose_formula_method);
+  object.solid = {{source.domain.lo, source.domain.hi}, wanted.place};
+  if (!is_identity(wanted.place))
+    object.surface =
+        std::make_shared<TransformedSurface>(object.surface, wanted.place, context.number, context.number);
   built.features = {"formula", fmt::format("iso:{}", options.iso.size())};
   if (wanted.by_component) built.components = static_cast<std::size_t>(surface->component_count());
   list(built, wanted.by_component, "components");
   for (const char* part : {"volume", "acceleration structure", "statistics"}) list(built, false, part);
 }
 
-template <class Source>
-void build(ObjectSurface& object, const Source& /*source*/, const ObjectDescription& /*wanted*/,
-           const EvaluationSettings& /*settings*/) {
-  throw InputError(fmt::format("object '{}': this kind of object cannot be rendered yet", object.built.name));
+void build(ObjectSurface& object, const MeshSource& source, const ObjectDescription& wanted,
+           const BuildContext& context) {
+  BuiltObject& built = object.built;
+  auto start = Clock::now();
+  Mesh mesh = read_mesh(source.file);
+  move(mesh, wanted.place);
+  built.load_ms = ms_since(start);
+  start = Clock::now();
+  const auto surface = std::make_shared<MeshSurface>(std::move(mesh), context.settings.isa, context.number);
+  built.build_ms = ms_since(start);
+  built.method = "triangles";
+  built.iso = {0};
+  built.volume_bytes = static_cast<std::int64_t>(surface->bytes());
+  built.acceleration_bytes = static_cast<std::int64_t>(surface->acceleration_bytes());
+  object.surface = surface;
+  built.features = {"mesh", fmt::format("triangles:{}", surface->triangle_count()), "box tree"};
+  list(built, has_embree(), "module:embree");
+}
+
+void build(ObjectSurface& object, const CsgSource& source, const ObjectDescription& wanted,
+           const BuildContext& context) {
+  build_csg(object, source, wanted, context);
+}
+
+void build(ObjectSurface& object, const InstanceSource& /*source*/, const ObjectDescription& /*wanted*/,
+           const BuildContext& /*context*/) {
+  throw InputError(fmt::format("object '{}': an instance cannot be an operand", object.built.name));
 }
 
 void clip(ObjectSurface& object, const std::vector<SolidDescription>& solids) {
@@ -153,14 +217,23 @@ void clip(ObjectSurface& object, const std::vector<SolidDescription>& solids) {
 
 }  // namespace
 
-ObjectSurface build_object(const ObjectDescription& description, const EvaluationSettings& settings,
-                           std::uint16_t number) {
+ObjectSurface build_object(const ObjectDescription& description, const BuildContext& context) {
   ObjectSurface object;
   object.built.name = description.name;
-  object.built.place = number;
-  std::visit([&](const auto& source) { build(object, source, description, settings); }, description.source);
+  object.built.place = context.number;
+  std::visit([&](const auto& source) { build(object, source, description, context); }, description.source);
   clip(object, description.clips);
+  const BuiltObject& built = object.built;
+  if (object.materials.empty())
+    object.materials =
+        materials_of(description.materials, built.components > 0 ? built.components : built.iso.size());
   return object;
+}
+
+std::vector<Material> materials_of(const MaterialDescription& description, std::size_t count) {
+  std::vector<Material> materials;
+  for (std::size_t i = 0; i < count; ++i) materials.push_back(material_of(description, i));
+  return materials;
 }
 
 }  // namespace isocast

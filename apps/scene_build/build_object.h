@@ -2,10 +2,12 @@
 #pragma once
 
 #include <isocast/apps/scene_build/description.h>
+#include <isocast/apps/scene_build/volume_library.h>
 
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +21,14 @@ struct EvaluationSettings {
 
 /// An object with what was learnt while it was built.
 ///
-/// place       number of its SceneObject in the scene
-/// features    what of it is used, and what was left out
+/// place     number of its first SceneObject in the scene, `count` how many it has: an instance one for each
+/// of
+///           its places, iso-values one for every sixteen
+/// features  what of it is used, and what was left out
+/// move_surface, change_method  for a volume or a formula; else empty
 struct BuiltObject {
   std::string name;
-  std::size_t place = 0;
+  std::size_t place = 0, count = 1;
   std::string method, method_reason;  // method_reason only when the method was "auto"
   std::vector<double> iso;
   bool proves = false;
@@ -40,14 +45,36 @@ struct BuiltObject {
   std::int64_t volume_bytes = 0, acceleration_bytes = 0;
 };
 
-/// The object of a description with its surface.
+/// What building needs besides a description.
 ///
-/// number  of the surface in its scene, what hits will say
+/// number   of the surface in its scene, what hits will say
+/// library  volumes that were read already
+struct BuildContext {
+  const EvaluationSettings& settings;
+  std::uint16_t number;
+  VolumeLibrary& library;
+};
+
+/// An object with its surface, and a material for each of its iso-values or components.
+///
+/// solid  the box at which it ends, and which closes it as a solid; none: it is closed
+/// above  as a solid it is where f >= iso
 struct ObjectSurface {
+  struct Solid {
+    Box box;
+    Transform world_from_box;
+  };
   BuiltObject built;
   std::shared_ptr<const Surface> surface;
+  std::vector<Material> materials;
+  std::optional<Solid> solid;
+  bool above = false;
 };
-[[nodiscard]] ObjectSurface build_object(const ObjectDescription& description,
-                                         const EvaluationSettings& settings, std::uint16_t number);
+
+/// The object of a description, but for instances. Throws InputError.
+[[nodiscard]] ObjectSurface build_object(const ObjectDescription& description, const BuildContext& context);
+
+/// Materials in number, as the description repeats them.
+[[nodiscard]] std::vector<Material> materials_of(const MaterialDescription& description, std::size_t count);
 
 }  // namespace isocast

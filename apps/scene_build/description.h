@@ -3,6 +3,7 @@
 
 #include <isocast/implicit/expression/parse.h>
 #include <isocast/implicit/implicit_surface.h>
+#include <isocast/ray/csg_surface.h>
 #include <isocast/render/camera.h>
 #include <isocast/scene/scene.h>
 #include <isocast/volume/io/read_volume.h>
@@ -36,7 +37,6 @@ struct FormulaSource {
 struct MeshSource {
   std::filesystem::path file;
 };
-enum class CsgOperation : std::uint8_t { unite, intersect, subtract };
 /// A solid of closed objects; subtract: the first without all the others.
 struct CsgSource {
   CsgOperation operation = CsgOperation::unite;
@@ -74,7 +74,8 @@ struct ColorBy {
 /// Iso-surfaces of a volume (`iso` in the file's scaled units; empty: the best of suggested_iso) or of a
 /// formula in a box (empty: 0), a mesh, a solid of others, or copies of one. `by_component`: the materials
 /// are those of the operands of the min and max in which the formula ends. place: from its own space into the
-/// world's. `clips`: only what lies in all of them is there, in the world's space.
+/// world's. `clips`: only what lies in all of them is there, in the world's space. time: its own; else it
+/// follows the scene's.
 struct ObjectDescription {
   std::string name = {};
   std::variant<VolumeSource, FormulaSource, MeshSource, CsgSource, InstanceSource> source = {};
@@ -87,6 +88,7 @@ struct ObjectDescription {
   std::vector<SolidDescription> clips = {};
   Transform place = {};
   std::optional<ColorBy> color_by = {};
+  std::optional<double> time = {};
 };
 
 /// What is fixed at a frame; what a key does not name is interpolated between those that do.
@@ -103,22 +105,28 @@ struct Animation {
   std::vector<AnimationKey> keys;
 };
 
+/// How a scene wants to be rendered, where the command line does not say.
+struct RenderWishes {
+  std::optional<std::array<int, 2>> size;
+  std::optional<int> spp, transparency_depth, reflections;
+};
+
 /// A scene of one object until others are added, its lights and environment (a picture of all directions;
 /// empty: none), and what is fixed of its camera.
 ///
 /// cameras            by name; `camera` is the one in use
-/// ambient_occlusion  rays from every hit; 0: none
 struct SceneDescription {
   std::vector<ObjectDescription> objects = std::vector<ObjectDescription>(1);
   CameraWishes camera;
   std::map<std::string, CameraWishes> cameras;
   std::vector<Double3> lights;
   bool shadows = false;
-  int ambient_occlusion = 0;
+  AmbientOcclusion ambient_occlusion;
   Color background = {1, 1, 1};
   std::filesystem::path environment;
   double time = 0;
   std::optional<Animation> animation;
+  RenderWishes wishes;
 };
 
 /// "#rrggbb", sRGB, as linear RGB; throws InputError for anything else.

@@ -1,12 +1,17 @@
 #include <fmt/format.h>
+#include <isocast/apps/scene_build/color_by.h>
 #include <isocast/apps/scene_build/scene_build.h>
 #include <isocast/base/error.h>
+#include <isocast/ray/transformed_surface.h>
 #include <isocast/render/environment_file.h>
 
 #include <algorithm>
 
 namespace isocast {
 namespace {
+
+// A surface has at most so many iso-values; further ones are objects of their own.
+constexpr std::size_t kIsosPerSurface = std::min(kMaxIsos, kMostIsos);
 
 void add_missing(std::vector<std::string>& list, const std::vector<std::string>& more) {
   for (const std::string& word : more)
@@ -28,38 +33,146 @@ void add_up(BuiltScene& built) {
   });
 }
 
+// Part number `part` of a list of iso-values.
+std::vector<double> part_of(const std::vector<double>& iso, std::size_t part) {
+  const std::size_t begin = part * kIsosPerSurface, end = std::min(iso.size(), begin + kIsosPerSurface);
+  return {iso.begin() + static_cast<std::ptrdiff_t>(begin), iso.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+std::size_t parts_of(const std::vector<double>& iso) {
+  return std::max<std::size_t>(1, (iso.size() + kIsosPerSurface - 1) / kIsosPerSurface);
+}
+
+// Builds the objects one after the other into a scene.
+class Builder {
+ public:
+  Builder(const SceneDescription& description, const EvaluationSettings& settings, BuiltScene& built)
+      : description_(description), settings_(settings), built_(built) {}
+
+  void add_all() {
+    for (const ObjectDescription& wanted : description_.objects) {
+      if (const auto* const instance = std::get_if<InstanceSource>(&wanted.source))
+        add_instances(wanted, *instance);
+      else add(wanted);
+    }
+  }
+
+ private:
+  [[nodiscard]] std::uint16_t next_number() const {
+    const std::size_t number = built_.scene.objects.size();
+    if (number >= kNoObject)
+      throw InputError(fmt::format("found more than {} objects and instances", kNoObject));
+    return static_cast<std::uint16_t>(number);
+  }
+
+  void add(const ObjectDescription& wanted) {
+    const std::size_t parts = parts_of(wanted.iso);
+    std::shared_ptr<const ColorField> colors;
+    if (wanted.color_by) colors = make_color_field(*wanted.color_by);
+    std::vector<BuiltObject> pieces;
+    for (std::size_t part = 0; part < parts; ++part) {
+      ObjectDescription piece = wanted;
+      piece.iso = part_of(wanted.iso, part);
+      ObjectSurface object = build_object(piece, {settings_, next_number(), library_});
+      built_.scene.objects.push_back({std::move(object.surface),
+                                      parts == 1 ? std::move(object.materials) : std::vector<Material>(),
+                                      object.built.components > 0, colors});
+      pieces.push_back(std::move(object.built));
+    }
+    join(pieces, wanted);
+  }
+  // Pieces with sixteen iso-values each as one object.
+  void join(std::vector<BuiltObject>& pieces, const ObjectDescription& wanted) {
+    BuiltObject whole = pieces.front();
+    if (pieces.size() > 1) {
+      whole.count = pieces.size();
+      whole.iso = wanted.iso;
+      whole.features[1] = fmt::format("iso:{}", wanted.iso.size());
+      for (std::size_t i = 1; i < pieces.size(); ++i) {
+        whole.build_ms += pieces[i].build_ms;
+        whole.acceleration_bytes += pieces[i].acceleration_bytes;
+      }
+      whole.move_surface = [pieces](const std::vector<double>& iso) {
+        if (parts_of(iso) != pieces.size())
+          throw InputError(fmt::format("found {} iso-values, expected about as many as before", iso.size()));
+        for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].move_surface(part_of(iso, i));
+      };
+      whole.change_method = [pieces](const auto&... arguments) {
+        for (const BuiltObject& piece : pieces) piece.change_method(arguments...);
+      };
+    }
+    built_.objects.push_back(std::move(whole));
+    if (pieces.size() > 1) built_.set_iso(built_.objects.size() - 1, wanted.iso, wanted.materials);
+  }
+
+  void add_instances(const ObjectDescription& wanted, const InstanceSource& source) {
+    const auto of = std::ranges::find(built_.objects, source.of, &BuiltObject::name);
+    if (of == built_.objects.end())
+      throw InputError(
+          fmt::format("instances of '{}': expected an object of that name before them", source.of));
+    BuiltObject instances;
+    instances.name = wanted.name;
+    instances.place = next_number();
+    instances.method = of->method;
+    instances.proves = of->proves;
+    instances.iso = of->iso;
+    instances.components = of->components;
+    instances.features = {fmt::format("instances:{}", source.places.size())};
+    std::shared_ptr<const ColorField> colors;
+    if (wanted.color_by) colors = make_color_field(*wanted.color_by);
+    const bool own_materials = !wanted.materials.colors.empty() || !wanted.materials.opacities.empty() ||
+                               !wanted.materials.reflectivities.empty() ||
+                               !wanted.materials.speculars.empty();
+    for (std::size_t i = 0; i < source.places.size(); ++i)
+      for (std::size_t part = 0; part < of->count; ++part) {
+        const auto number = static_cast<std::uint16_t>(of->place + part);
+        SceneObject copy = built_.scene.objects[number];
+        copy.surface = std::make_shared<TransformedSurface>(copy.surface, wanted.place * source.places[i],
+                                                            number, next_number());
+        if (own_materials) copy.materials = materials_of(wanted.materials, copy.materials.size());
+        if (own_materials && source.places.size() > 1 && copy.materials.size() == 1)
+          copy.materials = {material_of(wanted.materials, i)};
+        if (colors) copy.color_field = colors;
+        built_.scene.objects.push_back(std::move(copy));
+      }
+    instances.count = built_.scene.objects.size() - instances.place;
+    built_.objects.push_back(std::move(instances));
+  }
+
+  const SceneDescription& description_;
+  const EvaluationSettings& settings_;
+  BuiltScene& built_;
+  VolumeLibrary library_;
+};
+
 }  // namespace
 
 void BuiltScene::set_iso(std::size_t object, const std::vector<double>& iso,
                          const MaterialDescription& materials) {
   BuiltObject& moved = objects[object];
+  if (!moved.move_surface)
+    throw InputError(fmt::format("object '{}' has no iso-values that can be moved", moved.name));
   moved.iso = iso;
   moved.move_surface(iso);
-  SceneObject& shown = scene.objects[moved.place];
-  shown.materials.clear();
-  const std::size_t count = moved.components > 0 ? moved.components : iso.size();
-  for (std::size_t i = 0; i < count; ++i) shown.materials.push_back(material_of(materials, i));
-  shown.by_component = moved.components > 0;
+  const std::vector<Material> all =
+      materials_of(materials, moved.components > 0 ? moved.components : iso.size());
+  for (std::size_t part = 0; part < moved.count; ++part) {
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(part * kIsosPerSurface);
+    scene.objects[moved.place + part].materials =
+        moved.count == 1 ? all : std::vector<Material>(begin, std::min(begin + kIsosPerSurface, all.end()));
+  }
 }
 
 bool BuiltScene::proves() const { return std::ranges::any_of(objects, &BuiltObject::proves); }
 
 BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings) {
-  if (description.objects.empty() || description.objects.size() >= kNoObject)
-    throw InputError(
-        fmt::format("found {} objects, expected 1 to {}", description.objects.size(), kNoObject - 1));
+  if (description.objects.empty()) throw InputError("found a scene without objects, expected one or more");
   BuiltScene built;
   built.scene.background = description.background;
   if (!description.environment.empty()) built.scene.environment = read_environment(description.environment);
-  for (const ObjectDescription& wanted : description.objects) {
-    ObjectSurface object =
-        build_object(wanted, settings, static_cast<std::uint16_t>(built.scene.objects.size()));
-    built.scene.objects.push_back({std::move(object.surface), {}});
-    built.objects.push_back(std::move(object.built));
-    built.set_iso(built.objects.size() - 1, built.objects.back().iso, wanted.materials);
-  }
+  Builder(description, settings, built).add_all();
   add_up(built);
   built.scene.lights = description.lights;
+  built.scene.ambient_occlusion = description.ambient_occlusion;
   built.scene.shadows = description.shadows;
   return built;
 }

@@ -25,8 +25,8 @@ class Line {
   void add(const char* option, const std::vector<std::string>& values) {
     for (const std::string& value : values) add(option, value);
   }
-  void add(const char* option, int value, int otherwise) {
-    if (value != otherwise) text_ += fmt::format(" {} {}", option, value);
+  void add(const char* option, const std::optional<int>& value) {
+    if (value) text_ += fmt::format(" {} {}", option, *value);
   }
   void flag(const char* option, bool set) {
     if (set) text_ += fmt::format(" {}", option);
@@ -64,19 +64,23 @@ std::string command_line(const RenderWords& words, const std::string& output) {
   line.add("--colors", words.colors);
   line.flag("--color-components", words.by_component);
   line.add("--opacity", words.opacity);
-  line.add("--transparency-depth", words.transparency_depth, plain.transparency_depth);
+  line.add("--transparency-depth", words.transparency_depth);
   line.add("--reflectivity", words.reflectivity);
-  line.add("--reflections", words.reflections, plain.reflections);
+  line.add("--reflections", words.reflections);
   line.add("--environment", words.environment);
   line.add("--light", words.lights);
   line.flag("--shadows", words.shadows);
+  if (words.ambient_occlusion > 0) line.add("--ambient-occlusion", std::optional(words.ambient_occlusion));
+  line.add("--ambient-occlusion-radius", words.ambient_occlusion_radius);
+  line.add("--camera", words.camera);
   line.add("--camera-position", words.position);
   line.add("--camera-target", words.target);
   line.add("--camera-up", words.up);
   line.add("--fov", words.fov);
   line.add("--ortho", words.ortho);
-  line.add("--size", words.size, plain.size);
-  line.add("--spp", words.spp, plain.spp);
+  line.add("--size", words.size);
+  line.add("--spp", words.spp);
+  line.add("--filter", words.filter, plain.filter);
   line.add("--aa", words.aa);
   line.add("-o", output);
   return line.text();

@@ -76,7 +76,8 @@ std::vector<std::uint8_t> other_picture(const JobScene& scene, const std::string
   const MethodRestorer restorer(keeper);
   keeper.built().objects.front().change_method(method, {}, evaluation_of(keeper.words()));
   Film film(scene.view.width(), scene.view.height(), {});
-  render(keeper.built().scene, scene.view, settings_of(keeper.words()), film, scene.stop);
+  render(keeper.built().scene, scene.view, settings_of(keeper.words(), keeper.description().wishes), film,
+         scene.stop);
   return screen_pixels(film, Overlay::none);
 }
 
@@ -109,7 +110,7 @@ void find_points(const JobScene& scene, const std::function<void(const std::vect
   constexpr int kWidth = 160, kLattice = 16, kRuns = 3;
   SceneKeeper& keeper = scene.keeper;
   const int height = std::max(1, kWidth * scene.view.height() / scene.view.width());
-  const View view(frame(keeper.built().scene.bounds(), camera_of(keeper.words()),
+  const View view(frame(keeper.built().scene.bounds(), keeper.description().camera,
                         double(scene.view.width()) / scene.view.height()),
                   kWidth, height);
   const auto truth = reference::make_reference(keeper.description(), keeper.built());

@@ -41,6 +41,7 @@ void IdleWork::run(const JobScene& scene) {
 }
 
 void IdleWork::run_extras(const JobScene& scene, const Wish& wish, const std::function<void(Picture)>& show) {
+  if (scene.keeper.built().objects.size() > 1 || !scene.keeper.built().objects.front().change_method) return;
   if (wish.overlay == Overlay::difference && !wish.other.empty()) {
     Picture both = scene.picture;
     both.other = other_picture(scene, wish.other);

@@ -97,6 +97,10 @@ PixelProbe probe_pixel(const JobScene& scene, int x, int y) {
   result.x = x, result.y = y;
   result.iso = object.iso;
   result.unit = object.volume ? "voxels" : "domain widths";
+  if (keeper.built().objects.size() > 1 || !object.change_method) {
+    result.error = "A scene of several objects is not probed.";
+    return result;
+  }
   const MethodRestorer restorer(keeper);
   try {
     result.probe = probe_ray(keeper.description(), keeper.built(), scene.view, x, y, methods,

@@ -113,8 +113,11 @@ void RenderLoop::publish_news(std::uint64_t revision, const std::string& error) 
 
 void RenderLoop::make_pictures(const Wish& wish) {
   const auto [width, height] = parse_size(wish.words.size);
-  const Camera camera = frame(keeper_.built().scene.bounds(), camera_of(wish.words), double(width) / height);
-  const RenderSettings final = settings_of(wish.words);
+  // as far as the words are understood: their scene may be one that cannot be built
+  CameraWishes wishes = keeper_.description().camera;
+  change_camera(wish.words, wishes);
+  const Camera camera = frame(keeper_.built().scene.bounds(), wishes, double(width) / height);
+  const RenderSettings final = settings_of(wish.words, keeper_.description().wishes);
   const bool smooth = final.spp > 1 || final.silhouettes;
   if (std::vector<std::string> traced = traced_words(wish.words); traced != traced_) {
     budget_.forget();
@@ -171,6 +174,9 @@ bool RenderLoop::make_picture(const Wish& wish, const View& view, const RenderSe
   }
   counts_.tiles_rendered += progress.done();
   ++counts_.pictures[static_cast<std::size_t>(stage)];
+  if (first_of_ != wish.revision) counts_.first.add(picture.latency_ms);
+  first_of_ = wish.revision;
+  if (stage == Stage::final) counts_.complete.add(picture.latency_ms);
   show(std::move(picture));
   return !mailbox_.has_newer(wish.revision);
 }

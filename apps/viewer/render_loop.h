@@ -65,11 +65,11 @@ class RenderLoop {
   std::atomic<std::shared_ptr<const SceneNews>> news_;
   std::atomic<std::uint64_t> rested_ = 0;
   std::atomic<bool> loading_ = false, in_extras_ = false;
-  std::uint64_t complete_ = 0;       // the render thread's
-  std::optional<View> view_;         // of the complete picture, the render thread's
-  std::uint64_t asked_ = 0;          // the interface's
-  std::vector<std::string> source_;  // of the newest wish, the interface's
-  std::vector<std::string> traced_;  // what the budget knows, the render thread's
+  std::uint64_t complete_ = 0, first_of_ = 0;  // the render thread's
+  std::optional<View> view_;                   // of the complete picture, the render thread's
+  std::uint64_t asked_ = 0;                    // the interface's
+  std::vector<std::string> source_;            // of the newest wish, the interface's
+  std::vector<std::string> traced_;            // what the budget knows, the render thread's
   std::jthread thread_;
 };
 

@@ -1,7 +1,8 @@
 #include <fmt/format.h>
-#include <isocast/apps/isocast/formula_input.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/scene_build/applicable_methods.h>
+#include <isocast/apps/scene_build/formula_input.h>
+#include <isocast/apps/scene_build/scene_file.h>
 #include <isocast/apps/viewer/scene_keeper.h>
 #include <isocast/base/error.h>
 #include <isocast/render/environment_file.h>
@@ -12,7 +13,8 @@ namespace isocast::viewer {
 namespace {
 
 bool is_volume(const RenderWords& words) {
-  return is_volume_file(words.input, parse_parameters(words.params, "--param"));
+  return !is_scene_file(words.input) &&
+         is_volume_file(words.input, parse_parameters(words.params, "--param"));
 }
 
 void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
@@ -43,7 +45,7 @@ void SceneKeeper::show(const RenderWords& words) {
   if (source == failed_) throw InputError(failure_);
   try {
     SceneDescription description = describe(words);
-    description.objects.front().iso = parse_frames(words).front();
+    if (!words.iso.empty()) description.objects.front().iso = parse_numbers(words.iso, "--iso");
     if (built_ && source == source_) change(words, description);
     else build(words, description);
     description_ = std::move(description);
@@ -73,17 +75,19 @@ void SceneKeeper::change(const RenderWords& words, const SceneDescription& descr
     first.method_reason.clear();
     first.proves = built_->scene.objects.front().surface->proves();
   }
-  built_->set_iso(0, object.iso.empty() ? first.iso : object.iso, object.materials);
+  if (first.move_surface) built_->set_iso(0, object.iso.empty() ? first.iso : object.iso, object.materials);
   built_->scene.lights = description.lights;
   built_->scene.shadows = description.shadows;
+  built_->scene.ambient_occlusion = description.ambient_occlusion;
   if (words.environment != words_.environment)
     built_->scene.environment = words.environment.empty() ? nullptr : read_environment(words.environment);
 }
 
 MethodRestorer::~MethodRestorer() {
   const BuiltObject& object = keeper_.built().objects.front();
-  object.change_method(object.method, keeper_.description().objects.front().settings,
-                       evaluation_of(keeper_.words()));
+  if (object.change_method)
+    object.change_method(object.method, keeper_.description().objects.front().settings,
+                         evaluation_of(keeper_.words()));
 }
 
 SceneNews SceneKeeper::news() const {
@@ -94,13 +98,17 @@ SceneNews SceneKeeper::news() const {
   news.is_volume = first.volume != nullptr;
   news.proves = built_->proves();
   news.bounds = built_->scene.bounds();
+  news.camera = description_.camera;
   news.iso = first.iso;
+  news.materials = built_->scene.objects.front().materials;
+  news.objects = built_->objects.size();
   news.method = first.method;
   news.method_reason = first.method_reason;
   news.isa = std::string(name_of(evaluation_of(words_).isa));
   if (first.volume) news.type = std::string(first.volume->type_name());
-  for (const Method& method : applicable_methods(description_.objects.front()))
-    news.methods.emplace_back(method.name);
+  if (first.change_method)
+    for (const Method& method : applicable_methods(description_.objects.front()))
+      news.methods.emplace_back(method.name);
   news.features = built_->features;
   news.left_out = built_->left_out;
   news.volume_bytes = built_->volume_bytes;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <isocast/apps/isocast/parse_values.h>
+#include <isocast/apps/scene_build/build_object.h>
 #include <isocast/apps/viewer/session.h>
 #include <isocast/render/image_file.h>
 
@@ -8,8 +10,7 @@
 namespace isocast::viewer {
 namespace {
 
-IsoSurface surface_of(double value, const MaterialDescription& materials, std::size_t i) {
-  const Material material = material_of(materials, i);
+IsoSurface surface_of(double value, const Material& material) {
   return {value, material.color, material.opacity, material.reflectivity, true};
 }
 
@@ -37,20 +38,23 @@ std::string hex_of(const Color& color) {
 
 Session start_session(const RenderWords& words) {
   Session session{words, {}, {}, {}};
-  adopt_surfaces(session, parse_frames(words).front());
+  const MaterialDescription looks = describe_materials(words);
+  const std::vector<double> values =
+      words.iso.empty() ? std::vector<double>() : parse_numbers(words.iso, "--iso");
+  adopt_surfaces(session, values, materials_of(looks, values.size()));
   return session;
 }
 
-void adopt_surfaces(Session& session, const std::vector<double>& values) {
-  const MaterialDescription materials = materials_of(session.words);
+void adopt_surfaces(Session& session, const std::vector<double>& values,
+                    const std::vector<Material>& materials) {
   session.surfaces.clear();
-  for (const double value : values)
-    session.surfaces.push_back(surface_of(value, materials, session.surfaces.size()));
+  for (std::size_t i = 0; i < values.size() && i < materials.size(); ++i)
+    session.surfaces.push_back(surface_of(values[i], materials[i]));
   session.adopted = session.surfaces;
 }
 
 void add_surface(Session& session, double value) {
-  session.surfaces.push_back(surface_of(value, {}, session.surfaces.size()));
+  session.surfaces.push_back(surface_of(value, material_of({}, session.surfaces.size())));
 }
 
 RenderWords words_of(const Session& session, int width, int height) {

@@ -33,8 +33,9 @@ struct Session {
 /// be used.
 [[nodiscard]] Session start_session(const RenderWords& words);
 
-/// Iso-values that were found for an input without --iso, with the looks of material_of.
-void adopt_surfaces(Session& session, const std::vector<double>& values);
+/// Iso-values that an input has by itself, and their looks.
+void adopt_surfaces(Session& session, const std::vector<double>& values,
+                    const std::vector<Material>& materials);
 
 /// One more iso-value, in the next colour of the palette.
 void add_surface(Session& session, double value);

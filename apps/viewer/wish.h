@@ -64,7 +64,10 @@ struct SceneNews {
   std::string error;
   bool any = false, is_volume = false, proves = false;
   Box bounds;
-  std::vector<double> iso;
+  CameraWishes camera;              // what is fixed of it
+  std::vector<double> iso;          // of the first object,
+  std::vector<Material> materials;  // with their looks
+  std::size_t objects = 0;
   std::string method, method_reason, isa, type;
   std::vector<std::string> methods, features, left_out;
   std::int64_t volume_bytes = 0, acceleration_bytes = 0;

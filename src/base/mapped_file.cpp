@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <cstring>
 #include <mutex>
+#include <utility>
 
 namespace isocast {
 namespace {
@@ -28,6 +29,7 @@ static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<bo
 constexpr std::size_t kMostMappings = 1024;
 constinit Entry entries[kMostMappings] = {};
 constinit std::mutex entries_mutex;  // for writers and readers outside the handler
+std::vector<std::filesystem::path> paths_read;
 std::once_flag handler_installed;
 struct sigaction previous_action;
 std::uintptr_t page_size;
@@ -130,9 +132,18 @@ class Mapping {
 }  // namespace
 
 MappedFile map_file(const std::filesystem::path& path) {
+  {
+    const std::lock_guard lock(entries_mutex);
+    if (std::ranges::find(paths_read, path) == paths_read.end()) paths_read.push_back(path);
+  }
   const auto mapping = std::make_shared<Mapping>(path);
   const std::span<const std::byte> bytes = mapping->map();
   return {mapping, bytes};
+}
+
+std::vector<std::filesystem::path> take_files_read() {
+  const std::lock_guard lock(entries_mutex);
+  return std::exchange(paths_read, {});
 }
 
 void check_mapped_files() {

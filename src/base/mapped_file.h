@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace isocast {
 
@@ -21,6 +22,10 @@ struct MappedFile {
 /// signals  the first call installs a SIGBUS handler; what is none of a mapped file's pages goes on to the
 ///          handler that was there before
 [[nodiscard]] MappedFile map_file(const std::filesystem::path& path);
+
+/// The files that map_file was asked for since the last call, each once, in the order of their first time:
+/// all that was read. Files that another process or a library reads for this one are mapped first as well.
+[[nodiscard]] std::vector<std::filesystem::path> take_files_read();
 
 /// Throws InputError (with the path) if a file that is mapped now has shrunk: what was computed from its
 /// bytes is worth nothing. To be called between the last use of the bytes and the first use of what came out.

@@ -4,6 +4,11 @@ namespace isocast {
 
 std::unique_ptr<PrimaryPass> Surface::primary(const View& /*view*/) const { return nullptr; }
 
+void Surface::find_sides(const RayStream& rays, const HitStream& hits, RaySides (&sides)[kStreamSize]) const {
+  for (int i = 0; i < rays.size; ++i)
+    if (!is_hit(hits, i)) sides[i] = {0, true};
+}
+
 void Surface::find_edges(const PixelLines& /*lines*/, std::span<const EdgeStep> /*steps*/,
                          std::span<float> /*shares*/) const {}
 

@@ -33,6 +33,12 @@ struct alignas(64) DressedHits {
   double value[kStreamSize];
 };
 
+/// Bit i of `below` set: f < iso i; `sure` if that is proved, or clear without a proof.
+struct RaySides {
+  std::uint32_t below;
+  bool sure;
+};
+
 /// One object: a set of iso-values of one f. All calls are const and may come from any thread.
 class Surface {
  public:
@@ -62,6 +68,11 @@ class Surface {
 
   /// True where anything is hit. By default the first hit.
   virtual void any_hit(const RayStream& rays, bool (&hit)[kStreamSize], TraceCounts& counts) const;
+
+  /// For every ray without a hit in `hits`, which this surface has looked for in vain: the sides on which it
+  /// runs all the way inside the bounds (a ray that misses them has none: 0). By default 0, which is the
+  /// outside of a closed surface.
+  virtual void find_sides(const RayStream& rays, const HitStream& hits, RaySides (&sides)[kStreamSize]) const;
 
   /// For steps from hits of this object, where on the way its front ends: at a silhouette or at the domain's
   /// edge, as a share of the step, or kNoEdge. By default nothing is found.

@@ -56,6 +56,18 @@ View::View(const Camera& camera, int width, int height)
   const Double3 right = normalized(cross(forward_, camera.up));
   right_ = pixel * right;
   down_ = pixel * cross(forward_, right);
+  set_frame();
+}
+
+View View::shifted(int columns, int rows) const {
+  View view = *this;
+  view.left_ += columns;
+  view.top_ += rows;
+  view.set_frame();
+  return view;
+}
+
+void View::set_frame() {
   const Double3 corner = image_point(0, 0), &fixed = orthographic_ ? forward_ : eye_;
   frame_ = {{}, {}, {}, {}, width_, height_, orthographic_};
   for (int a = 0; a < 3; ++a) {
@@ -67,7 +79,7 @@ View::View(const Camera& camera, int width, int height)
 }
 
 Double3 View::image_point(double u, double v) const {
-  const Double3 across = (u - 0.5 * width_) * right_ + (v - 0.5 * height_) * down_;
+  const Double3 across = (u + left_ - 0.5 * width_) * right_ + (v + top_ - 0.5 * height_) * down_;
   return orthographic_ ? eye_ + across : forward_ + across;
 }
 

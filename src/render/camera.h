@@ -38,6 +38,9 @@ class View {
  public:
   View(const Camera& camera, int width, int height);
 
+  /// The view whose pixel (x, y) is this one's (x + columns, y + rows).
+  [[nodiscard]] View shifted(int columns, int rows) const;
+
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   /// Unit vector from the camera into the scene.
@@ -60,7 +63,9 @@ class View {
   // Point on the image plane (perspective: relative to the eye, at distance 1), u and v in pixels.
   [[nodiscard]] Double3 image_point(double u, double v) const;
 
-  int width_, height_;
+  void set_frame();
+
+  int width_, height_, left_ = 0, top_ = 0;  // left_, top_: where the picture begins
   bool orthographic_;
   Double3 eye_, forward_, right_, down_;  // right_ and down_: one pixel
   RayFrame frame_;

@@ -7,6 +7,7 @@ void Crossings::first(const Scene& scene, std::span<const std::uint16_t> objects
     scene.objects[objects[0]].surface->first_hit(rays, hits, counts);
     return;
   }
+  if (objects.empty()) return;
   waiting_.assign(objects.size(), hits);
   for (std::size_t k = 0; k < objects.size(); ++k)
     scene.objects[objects[k]].surface->first_hit(rays, waiting_[k], counts);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <isocast/render/features.h>
+#include <isocast/scene/box_tree.h>
 
 #include <algorithm>
 
@@ -17,10 +18,14 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
   Features f;
   f.shade = settings.colors;
   f.shadows = settings.colors && scene.shadows && !scene.lights.empty();
+  f.occlusion = settings.colors ? scene.ambient_occlusion.samples : 0;
   f.transparency = settings.colors && any_material(scene, [](const Material& m) { return m.opacity < 1; });
   if (settings.colors && any_material(scene, [](const Material& m) { return m.reflectivity > 0; }))
     f.reflections = settings.reflections;
   f.silhouettes = settings.colors && settings.silhouettes;
+  f.color_fields = settings.colors && std::ranges::any_of(scene.objects, [](const SceneObject& object) {
+                     return object.color_field != nullptr;
+                   });
   f.first_sample = {settings.colors || film.has(Layer::normal), film.has(Layer::position),
                     film.has(Layer::value)};
   f.other_samples = {settings.colors, false, false};
@@ -32,9 +37,12 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
   list(!scene.lights.empty(),
        scene.lights.empty() ? "lights" : fmt::format("lights:{}", scene.lights.size()));
   list(f.shadows, "shadows");
+  list(f.occlusion > 0,
+       f.occlusion > 0 ? fmt::format("ambient occlusion:{}", f.occlusion) : "ambient occlusion");
   list(f.transparency,
        f.transparency ? fmt::format("transparency:{}", settings.transparency_depth) : "transparency");
   list(f.reflections > 0, f.reflections > 0 ? fmt::format("reflections:{}", f.reflections) : "reflections");
+  list(settings.filter != PixelFilter::box, "filter");
   list(scene.environment != nullptr, "environment");
   list(f.first_sample.normal, "normals");
   list(f.first_sample.position, "positions");
@@ -45,7 +53,9 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
     if (film.has(layer)) f.used.push_back(fmt::format("layer:{}", name_of(layer)));
   }
   list(f.silhouettes, "silhouettes");
+  list(f.color_fields, "colour fields");
   list(scene.objects.size() > 1, "object hierarchy");
+  list(scene.objects.size() > 1 && has_embree(), "module:embree");
   return f;
 }
 

@@ -14,9 +14,9 @@ struct LayerRow {
   float nothing;
 };
 constexpr float kFar = std::numeric_limits<float>::infinity();
-constexpr LayerRow kRows[kLayerCount] = {{"depth", 1, kFar}, {"z", 1, kFar},        {"normal", 3, 0},
-                                         {"position", 3, 0}, {"id", 1, 0},          {"value", 1, 0},
-                                         {"cost", 1, 0},     {"certificate", 1, -1}};
+constexpr LayerRow kRows[kLayerCount] = {
+    {"depth", 1, kFar}, {"z", 1, kFar}, {"normal", 3, 0},       {"position", 3, 0}, {"id", 1, 0},
+    {"value", 1, 0},    {"cost", 1, 0}, {"certificate", 1, -1}, {"object", 1, 0},   {"albedo", 3, 0}};
 
 }  // namespace
 

@@ -12,8 +12,8 @@
 namespace isocast {
 
 /// The layers of `--aov`, by interface.md's names.
-enum class Layer : std::uint8_t { depth, z, normal, position, id, value, cost, certificate };
-inline constexpr int kLayerCount = 8;
+enum class Layer : std::uint8_t { depth, z, normal, position, id, value, cost, certificate, object, albedo };
+inline constexpr int kLayerCount = 10;
 [[nodiscard]] std::string_view name_of(Layer layer);
 [[nodiscard]] int channels_of(Layer layer);
 /// Throws InputError for an unknown name, listing those that exist.
@@ -21,8 +21,9 @@ inline constexpr int kLayerCount = 8;
 
 /// Row-major, first row on top, float. Colour is linear RGBA, composited over the background or the
 /// environment; alpha is the share that surfaces keep out of these. Where a ray hits nothing: depth and z are
-/// +inf, the other layers 0. id is 1 + the number of the iso-value, counted over all objects; depth is the
-/// distance along the ray, z along the view axis, both in world units.
+/// +inf, the other layers 0. id is 1 + the number of the iso-value, counted over all objects, object 1 +
+/// the number of the object; albedo is the material's colour; depth is the distance along the ray, z along
+/// the view axis, both in world units.
 class Film {
  public:
   Film(int width, int height, const std::vector<Layer>& layers);

@@ -1,5 +1,7 @@
 #include <isocast/render/film_layers.h>
 
+#include <algorithm>
+
 namespace isocast {
 namespace {
 
@@ -47,6 +49,9 @@ void write_layers(const Frame& frame, const Wave& wave, Film& film, RenderCounts
     if (film.has(Layer::id))
       *film.at(Layer::id, id) = static_cast<float>(1 + frame.first_id[hits.object[i]] + hits.iso[i]);
     if (film.has(Layer::value)) *film.at(Layer::value, id) = static_cast<float>(dressed.value[i]);
+    if (film.has(Layer::object)) *film.at(Layer::object, id) = static_cast<float>(1 + hits.object[i]);
+    if (film.has(Layer::albedo))
+      std::ranges::copy(material_of(frame.scene, hits, i).color, film.at(Layer::albedo, id));
     for (int c = 0; c < 3; ++c) {
       if (film.has(Layer::normal)) film.at(Layer::normal, id)[c] = static_cast<float>(dressed.normal[c][i]);
       if (film.has(Layer::position))

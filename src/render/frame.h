@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/render/render.h>
+#include <isocast/scene/object_hierarchy.h>
 
 #include <limits>
 #include <memory>
@@ -15,6 +16,9 @@ namespace isocast {
 /// objects   the numbers of all objects
 /// first_id  per object: ids of the objects before it
 /// passes    per object: what finds its primary rays block by block, or null
+/// passed    per object, where there are passes: 1 if it has one
+/// bounds    of the scene
+/// hierarchy of several objects; null where there is one, or where each ray's cost is told
 /// proves    every object does
 struct Frame {
   const Scene& scene;
@@ -25,7 +29,10 @@ struct Frame {
   std::vector<std::uint16_t> objects;
   std::vector<int> first_id;
   std::vector<std::unique_ptr<PrimaryPass>> passes;
+  std::vector<std::uint8_t> passed;
   bool proves;
+  std::shared_ptr<const ObjectHierarchy> hierarchy;
+  Box bounds;
 };
 
 /// Rays with what they hit.
@@ -33,12 +40,14 @@ struct Frame {
 /// hits    kept elsewhere
 /// slot    the primary ray of the tile that a ray descends from
 /// weight  the share of that ray's colour which it brings
+/// sample  of the pixel, from 0 on
 struct Wave {
   RayStream rays;
   HitStream* hits;
   DressedHits dressed;
   int slot[kStreamSize];
   float weight[kStreamSize];
+  int sample;
 };
 
 inline bool is_ray(const RayStream& rays, int i) { return rays.t_min[i] <= rays.t_max[i]; }

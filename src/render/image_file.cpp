@@ -53,6 +53,20 @@ Image read(const std::filesystem::path& path, const Format& format, std::int64_t
   return image_module(path).read(format.name, path.string(), most_pixels);
 }
 
+std::vector<std::string> channel_names(Layer layer, ChannelNames names) {
+  std::string name(name_of(layer));
+  if (names == ChannelNames::compositor) {
+    if (layer == Layer::z) return {"Z"};
+    if (layer == Layer::depth) return {"depth.Z"};
+    if (layer == Layer::normal) name = "N";
+    if (layer == Layer::position) name = "P";
+    if (channels_of(layer) == 1) return {name + ".X"};
+  }
+  if (layer == Layer::albedo) return {name + ".R", name + ".G", name + ".B"};
+  if (channels_of(layer) == 3) return {name + ".X", name + ".Y", name + ".Z"};
+  return {name};
+}
+
 }  // namespace
 
 int Image::channel(std::string_view name) const {
@@ -70,17 +84,13 @@ std::uint8_t srgb_code(float linear) {
   return static_cast<std::uint8_t>(code);
 }
 
-std::vector<ImageLayer> image_layers(const Film& film, bool color) {
+std::vector<ImageLayer> image_layers(const Film& film, bool color, ChannelNames names) {
   std::vector<ImageLayer> layers;
   if (color) layers.push_back({{"R", "G", "B", "A"}, film.color().data()});
   for (int i = 0; i < kLayerCount; ++i) {
     const Layer layer = static_cast<Layer>(i);
     if (!film.has(layer)) continue;
-    const std::string name(name_of(layer));
-    const bool vector = channels_of(layer) == 3;
-    const std::vector<std::string> channels =
-        vector ? std::vector{name + ".X", name + ".Y", name + ".Z"} : std::vector{name};
-    layers.push_back({channels, film.layer(layer).data()});
+    layers.push_back({channel_names(layer, names), film.layer(layer).data()});
   }
   return layers;
 }
@@ -94,8 +104,8 @@ void write_png(const std::filesystem::path& path, int width, int height, const f
 }
 
 void write_exr(const std::filesystem::path& path, int width, int height,
-               const std::vector<ImageLayer>& layers) {
-  write_text_file(path, image_module(path).encode_exr(path.string(), width, height, layers));
+               const std::vector<ImageLayer>& layers, const ImageNotes& notes) {
+  write_text_file(path, image_module(path).encode_exr(path.string(), width, height, layers, notes));
 }
 
 Image read_exr(const std::filesystem::path& path) { return read(path, kExr, kMostExrPixels); }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace isocast {
@@ -33,18 +34,27 @@ struct Image {
 /// The 8-bit sRGB code nearest to a linear value; NaN gives 0, values outside [0, 1] the end.
 [[nodiscard]] std::uint8_t srgb_code(float linear);
 
-/// Colour as R G B A (when `color`), then every layer the film has: `depth`, `normal.X normal.Y normal.Z` and
-/// so on. Points into the film.
-[[nodiscard]] std::vector<ImageLayer> image_layers(const Film& film, bool color = true);
+/// plain: `depth`, `normal.X normal.Y normal.Z`, `albedo.R albedo.G albedo.B` and so on. compositor: what
+/// compositing programs look for: `Z` (OpenEXR's; along the view axis), `depth.Z`, `N.X N.Y N.Z` and
+/// `P.X P.Y P.Z`; other layers of one channel are called X.
+enum class ChannelNames : std::uint8_t { plain, compositor };
+
+/// Colour as R G B A (when `color`), then every layer the film has. Points into the film.
+[[nodiscard]] std::vector<ImageLayer> image_layers(const Film& film, bool color = true,
+                                                   ChannelNames names = ChannelNames::plain);
+
+/// What a file says of itself: names and texts.
+using ImageNotes = std::vector<std::pair<std::string, std::string>>;
 
 /// Linear RGBA, already composited over the background, as an opaque sRGB picture of 8 bits. The file holds
 /// pixels only: the same pixels give the same bytes. Throws InputError when it cannot be written or this
 /// build has no OpenImageIO.
 void write_png(const std::filesystem::path& path, int width, int height, const float* rgba);
 
-/// Every layer as 32-bit floats, losslessly compressed (ZIP); otherwise like write_png.
+/// Every layer as 32-bit floats, losslessly compressed (ZIP), and the notes as attributes; otherwise like
+/// write_png.
 void write_exr(const std::filesystem::path& path, int width, int height,
-               const std::vector<ImageLayer>& layers);
+               const std::vector<ImageLayer>& layers, const ImageNotes& notes = {});
 
 /// Reads the first part of an EXR: flat, in scan lines, at most 32768 pixels a side and 64 channels. Throws
 /// InputError.

@@ -40,13 +40,14 @@ std::string encode_png(const std::string& target, int width, int height, const s
 }
 
 std::string encode_exr(const std::string& target, int width, int height,
-                       const std::vector<ImageLayer>& layers) {
+                       const std::vector<ImageLayer>& layers, const ImageNotes& notes) {
   OIIO::ImageSpec spec(width, height, 0, OIIO::TypeFloat);
   spec.channelnames.clear();
   for (const ImageLayer& layer : layers)
     spec.channelnames.insert(spec.channelnames.end(), layer.channels.begin(), layer.channels.end());
   spec.nchannels = static_cast<int>(spec.channelnames.size());
   spec.attribute("compression", "zip");
+  for (const auto& [name, text] : notes) spec.attribute(name, text);
   spec.attribute("DateTime", "");  // else the library enters the time of day
 
   // Interleave the layers' channels.

@@ -12,7 +12,7 @@ namespace isocast {
 struct ImageModule {
   std::string (*encode_png)(const std::string& target, int width, int height, const std::uint8_t* rgb);
   std::string (*encode_exr)(const std::string& target, int width, int height,
-                            const std::vector<ImageLayer>& layers);
+                            const std::vector<ImageLayer>& layers, const ImageNotes& notes);
   Image (*read)(const char* format, const std::string& path, std::int64_t most_pixels);
 };
 

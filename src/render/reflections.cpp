@@ -1,4 +1,5 @@
 #include <isocast/render/reflections.h>
+#include <isocast/render/scene_rays.h>
 
 namespace isocast {
 namespace {
@@ -25,6 +26,7 @@ void Reflections::color(const Frame& frame, const Wave& wave, Shadows& shadows, 
     Wave& to = waves_[bounce % 2];
     to.hits = &hits_[bounce % 2];
     to.rays.size = 0;
+    to.sample = wave.sample;
     shade(frame, *from, shadows, shaded, counts);
     for (int i = 0; i < from->rays.size; ++i) {
       if (!is_hit(*from->hits, i)) continue;
@@ -49,11 +51,8 @@ void Reflections::trace(const Frame& frame, Wave& wave, RenderCounts& counts) {
   wave.rays.kind = RayKind::reflection;
   counts.reflection += wave.rays.size;
   clear(*wave.hits);
-  for (const SceneObject& object : frame.scene.objects)
-    object.surface->first_hit(wave.rays, *wave.hits, counts.trace);
-  const DressWishes wishes{.normal = true};
-  for (const SceneObject& object : frame.scene.objects)
-    object.surface->dress(wave.rays, *wave.hits, wishes, wave.dressed);
+  find_first_hits(frame, wave.rays, *wave.hits, counts.trace);
+  dress_all(frame, {.normal = true}, wave.rays, *wave.hits, wave.dressed);
 }
 
 }  // namespace isocast

@@ -8,21 +8,22 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
+#include <deque>
+#include <map>
 #include <memory>
+#include <span>
 
 namespace isocast {
 namespace {
 
 int tiles_along(int pixels) { return (pixels + kTileSize - 1) / kTileSize; }
 
-// Offset of sample `index` in its pixel: the centre, then the plastic-number sequence around it (Roberts
-// 2018).
-void sample_offset(int index, double& u, double& v) {
-  const auto fraction = [](double x) { return x - std::floor(x); };
-  u = fraction(0.5 + index * 0.7548776662466927);
-  v = fraction(0.5 + index * 0.5698402909980532);
-}
+// A sample of every pixel, and the frame that finds it: of the view shifted by whole pixels.
+struct FrameSample {
+  int number;
+  double u, v;
+  const Frame& frame;
+};
 
 // What one thread works with.
 struct Worker {
@@ -35,6 +36,10 @@ struct Worker {
 void find_candidates(const Frame& frame, int tx, int ty, const HitStream* found,
                      std::vector<std::uint16_t>& candidates) {
   candidates.clear();
+  if (frame.hierarchy) {
+    if (found || frame.view.frustum(tx, ty).may_meet(frame.bounds)) candidates = frame.objects;
+    return;
+  }
   const bool any_pass = !frame.passes.empty();
   if (any_pass && !found && frame.objects.size() == 1) return;
   const TileFrustum tile = frame.view.frustum(tx, ty);
@@ -70,8 +75,10 @@ struct Target {
 };
 
 // One sample of every pixel of a tile. found: as in trace_first_hits.
-void render_sample(const Frame& frame, int tx, int ty, int sample, HitStream* found, TileBuffers& b,
-                   Target& target, RenderCounts& counts) {
+void render_sample(const FrameSample& place, int tx, int ty, HitStream* found, TileBuffers& b, Target& target,
+                   RenderCounts& counts) {
+  const Frame& frame = place.frame;
+  const int sample = place.number;
   Film& film = target.film;
   find_candidates(frame, tx, ty, found, b.candidates);
   if (sample == 0) {
@@ -80,10 +87,9 @@ void render_sample(const Frame& frame, int tx, int ty, int sample, HitStream* fo
   }
   if (b.candidates.empty() && !frame.scene.environment)
     return add_nothing(frame, tx, ty, sample, film, counts);
-  double u = 0, v = 0;
-  sample_offset(sample, u, v);
   RayStream& rays = b.primary.rays;
-  frame.view.fill(tx, ty, u, v, rays);
+  b.primary.sample = sample;
+  frame.view.fill(tx, ty, place.u, place.v, rays);
   for (int i = 0; i < rays.size; ++i) counts.primary += is_ray(rays, i);
   trace_first_hits(frame, found, b, counts.trace);
   dress_hits(frame, sample == 0 ? frame.features.first_sample : frame.features.other_samples, b);
@@ -93,33 +99,35 @@ void render_sample(const Frame& frame, int tx, int ty, int sample, HitStream* fo
 }
 
 // All samples of one block of tiles.
-void render_block(const Frame& frame, int bx, int by, Worker& worker, Target& target, std::stop_token stop,
-                  Progress* progress) {
+void render_block(std::span<const FrameSample> samples, int bx, int by, Worker& worker, Target& target,
+                  std::stop_token stop, Progress* progress) {
   if (!worker.block) worker.block = std::make_unique_for_overwrite<BlockHits>();
   BlockHits& block = *worker.block;
-  const int columns = std::min(kBlockTiles, tiles_along(frame.view.width()) - bx * kBlockTiles),
-            rows = std::min(kBlockTiles, tiles_along(frame.view.height()) - by * kBlockTiles);
-  for (int sample = 0; sample < frame.settings.spp; ++sample) {
-    double u = 0, v = 0;
-    sample_offset(sample, u, v);
-    block.reset(frame.proves, stop);
-    for (const auto& pass : frame.passes)
-      if (pass && !stop.stop_requested()) pass->first_hits(bx, by, u, v, block, worker.counts.trace);
+  const View& view = samples.front().frame.view;
+  const int columns = std::min(kBlockTiles, tiles_along(view.width()) - bx * kBlockTiles),
+            rows = std::min(kBlockTiles, tiles_along(view.height()) - by * kBlockTiles);
+  for (const FrameSample& sample : samples) {
+    block.reset(sample.frame.proves, stop);
+    for (const auto& pass : sample.frame.passes)
+      if (pass && !stop.stop_requested())
+        pass->first_hits(bx, by, sample.u, sample.v, block, worker.counts.trace);
     for (int y = 0; y < rows; ++y)
       for (int x = 0; x < columns; ++x) {
         if (stop.stop_requested()) return;
-        render_sample(frame, bx * kBlockTiles + x, by * kBlockTiles + y, sample,
+        render_sample(sample, bx * kBlockTiles + x, by * kBlockTiles + y,
                       block.is_open(x, y) ? &block.tile(x, y) : nullptr, *worker.buffers, target,
                       worker.counts);
-        if (progress && sample + 1 == frame.settings.spp) progress->add();
+        if (progress && &sample == &samples.back()) progress->add();
       }
   }
 }
 
-Frame make_frame(const Scene& scene, const View& view, const RenderSettings& settings, const Film& film) {
+Frame make_frame(const Scene& scene, const View& view, const RenderSettings& settings, const Film& film,
+                 const std::shared_ptr<const ObjectHierarchy>& hierarchy) {
   const bool proves =
       std::ranges::all_of(scene.objects, [](const SceneObject& o) { return o.surface->proves(); });
-  Frame frame{scene, view, settings, find_features(scene, film, settings), {}, {}, {}, {}, proves};
+  Frame frame{scene,  view,      settings,      find_features(scene, film, settings), {}, {}, {}, {}, {},
+              proves, hierarchy, scene.bounds()};
   for (const Double3& light : scene.lights) frame.lights.push_back(normalized(light));
   for (int ids = 0; const SceneObject& object : scene.objects) {
     frame.objects.push_back(static_cast<std::uint16_t>(frame.objects.size()));
@@ -131,17 +139,48 @@ Frame make_frame(const Scene& scene, const View& view, const RenderSettings& set
   for (const SceneObject& object : scene.objects) {
     std::unique_ptr<PrimaryPass>& pass = frame.passes.emplace_back(object.surface->primary(view));
     if (pass && film.has(Layer::cost) && !pass->tells_cost()) pass.reset();
+    frame.passed.push_back(pass != nullptr);
   }
   if (std::ranges::none_of(frame.passes, [](const auto& pass) { return pass != nullptr; }))
     frame.passes.clear();
   return frame;
 }
 
+// The samples of every pixel, with a frame for each way in which they lie beyond its borders.
+class Samples {
+ public:
+  Samples(const Scene& scene, const View& view, const RenderSettings& settings, const Film& film) {
+    std::shared_ptr<const ObjectHierarchy> hierarchy;
+    if (scene.objects.size() > 1 && !film.has(Layer::cost))
+      hierarchy = std::make_shared<const ObjectHierarchy>(scene);
+    for (const PixelSample& place : pixel_samples(settings.spp, settings.filter)) {
+      auto& frame = frames_[{place.columns, place.rows}];
+      if (!frame) {
+        const View& shifted = views_.emplace_back(view.shifted(place.columns, place.rows));
+        frame = std::make_unique<Frame>(make_frame(scene, shifted, settings, film, hierarchy));
+      }
+      all_.push_back({static_cast<int>(all_.size()), place.u, place.v, *frame});
+    }
+  }
+  [[nodiscard]] std::span<const FrameSample> all() const { return all_; }
+  /// That of the centres.
+  [[nodiscard]] const Frame& frame() const { return all_.front().frame; }
+  [[nodiscard]] bool any_pass() const {
+    return std::ranges::any_of(frames_, [](const auto& one) { return !one.second->passes.empty(); });
+  }
+
+ private:
+  std::deque<View> views_;
+  std::map<std::pair<int, int>, std::unique_ptr<const Frame>> frames_;
+  std::vector<FrameSample> all_;
+};
+
 }  // namespace
 
 RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
   primary += other.primary;
   shadow += other.shadow;
+  occlusion += other.occlusion;
   reflection += other.reflection;
   transparency += other.transparency;
   hits += other.hits;
@@ -161,18 +200,19 @@ std::int64_t tile_count(const View& view) {
 RenderCounts render(const Scene& scene, const View& view, const RenderSettings& settings, Film& film,
                     std::stop_token stop, Progress* progress) {
   assert(settings.transparency_depth >= 1);
-  const Frame frame = make_frame(scene, view, settings, film);
+  const Samples samples(scene, view, settings, film);
+  const Frame& frame = samples.frame();
   Target target{film, {}};
   if (frame.features.silhouettes)
     target.pixels.resize(std::size_t(view.width()) * static_cast<std::size_t>(view.height()));
   oneapi::tbb::combinable<Worker> workers;
   const int tiles = tiles_along(view.width());
-  if (frame.passes.empty())
+  if (!samples.any_pass())
     oneapi::tbb::parallel_for(std::int64_t(0), tile_count(view), [&](std::int64_t tile) {
       Worker& worker = workers.local();
-      for (int sample = 0; sample < settings.spp; ++sample) {
+      for (const FrameSample& sample : samples.all()) {
         if (stop.stop_requested()) return;
-        render_sample(frame, static_cast<int>(tile % tiles), static_cast<int>(tile / tiles), sample, nullptr,
+        render_sample(sample, static_cast<int>(tile % tiles), static_cast<int>(tile / tiles), nullptr,
                       *worker.buffers, target, worker.counts);
       }
       if (progress) progress->add();
@@ -182,7 +222,7 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
               rows = (tiles_along(view.height()) + kBlockTiles - 1) / kBlockTiles;
     oneapi::tbb::parallel_for(0, blocks * rows, [&](int block) {
       if (stop.stop_requested()) return;
-      render_block(frame, block % blocks, block / blocks, workers.local(), target, stop, progress);
+      render_block(samples.all(), block % blocks, block / blocks, workers.local(), target, stop, progress);
     });
   }
   if (stop.stop_requested()) throw Interrupted();

@@ -13,10 +13,10 @@
 namespace isocast {
 
 /// What a frame took: rays by kind (transparency: the queries for the crossing behind one), the first
-/// samples' hits, work in the surfaces; passes: the objects whose primary rays were found in an order of their
-/// own.
+/// samples' hits, work in the surfaces; passes: the objects whose primary rays were found in an order of
+/// their own.
 struct RenderCounts {
-  std::int64_t primary = 0, shadow = 0, reflection = 0, transparency = 0;
+  std::int64_t primary = 0, shadow = 0, occlusion = 0, reflection = 0, transparency = 0;
   std::int64_t hits = 0, misses = 0, undecided = 0;
   std::int64_t tiles = 0, tiles_culled = 0, passes = 0, blended = 0;
   TraceCounts trace;

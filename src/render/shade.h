@@ -12,8 +12,12 @@ namespace isocast {
 [[nodiscard]] Color lit(const Material& surface, const Double3& normal, const Double3& to_light,
                         const Double3& to_eye);
 
+/// The materials of a wave's hits, with the colours of their objects' fields where there are some.
+void find_materials(const Frame& frame, const Wave& wave, Material (&materials)[kStreamSize]);
+
 /// The colour of every hit of a wave, without what it mirrors. n lights have 1/n of the strength each, so
-/// that they never overexpose together; without lights a headlight shines along every ray.
+/// that they never overexpose together; without lights a headlight shines along every ray. Ambient occlusion
+/// is a light from everywhere, and dims the ambient part as well.
 void shade(const Frame& frame, const Wave& wave, Shadows& shadows, Color (&colors)[kStreamSize],
            RenderCounts& counts);
 

@@ -1,3 +1,4 @@
+#include <isocast/render/scene_rays.h>
 #include <isocast/render/transparency.h>
 
 #include <algorithm>
@@ -32,6 +33,11 @@ void trace_first_hits(const Frame& frame, HitStream* found, TileBuffers& b, Trac
     clear(hits);
     if (frame.proves) std::ranges::fill(hits.certificate, Certificate::proved_miss);
   }
+  if (frame.hierarchy) {
+    if (!frame.features.transparency) return frame.hierarchy->first_hit(rays, frame.passed, hits, counts);
+    frame.hierarchy->find_candidates(rays, b.candidates);
+    return b.crossings.first(frame.scene, b.candidates, rays, hits, counts);
+  }
   const auto has_pass = [&](std::uint16_t object) { return !frame.passes.empty() && frame.passes[object]; };
   if (frame.features.transparency && !std::ranges::any_of(b.candidates, has_pass)) {
     b.crossings.first(frame.scene, b.candidates, rays, hits, counts);
@@ -42,10 +48,7 @@ void trace_first_hits(const Frame& frame, HitStream* found, TileBuffers& b, Trac
 }
 
 void dress_hits(const Frame& frame, const DressWishes& wishes, TileBuffers& b) {
-  if (!wishes.normal && !wishes.position && !wishes.value) return;
-  Wave& wave = b.primary;
-  for (const std::uint16_t object : b.candidates)
-    frame.scene.objects[object].surface->dress(wave.rays, *wave.hits, wishes, wave.dressed);
+  dress_all(frame, wishes, b.primary.rays, *b.primary.hits, b.primary.dressed);
 }
 
 void add_colors(const Frame& frame, TileBuffers& b, Film& film, RenderCounts& counts) {

@@ -1,5 +1,6 @@
 // The render loop: its pictures are those of `isocast render`, and the newest wish never waits for an older
 // one.
+#include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/viewer/render_loop.h>
 #include <isocast/apps/viewer/session.h>
 #include <isocast/render/image_file.h>
@@ -27,11 +28,11 @@ void rest(const RenderLoop& loop) {
 Film rendered(const RenderWords& words) {
   const auto [width, height] = parse_size(words.size);
   SceneDescription description = describe(words);
-  description.objects.front().iso = parse_frames(words).front();
+  if (!words.iso.empty()) description.objects.front().iso = parse_numbers(words.iso, "--iso");
   const BuiltScene built = build_scene(description, evaluation_of(words));
   const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
   Film film(width, height, {});
-  render(built.scene, view, settings_of(words), film);
+  render(built.scene, view, settings_of(words, description.wishes), film);
   return film;
 }
 

@@ -112,7 +112,7 @@ TEST_CASE("a session starts as its command line says and says it again") {
 TEST_CASE("hidden surfaces are not in the picture") {
   Session session = start_session(words_for("@tangle"));
   CHECK(words_of(session, 10, 10).iso.empty());
-  adopt_surfaces(session, {0, 1});
+  adopt_surfaces(session, {0, 1}, {{}, {}});
   add_surface(session, 0.1);
   session.surfaces[1].visible = false;
   CHECK(words_of(session, 10, 10).iso == "0,0.1");
@@ -125,7 +125,8 @@ TEST_CASE("hidden surfaces are not in the picture") {
 TEST_CASE("a moved camera is written so that the same numbers are read") {
   Session session = start_session(words_for("x"));
   session.camera = orbit(example(), 0.123, 0.0456);
-  const CameraWishes read = camera_of(words_of(session, 10, 10));
+  CameraWishes read;
+  change_camera(words_of(session, 10, 10), read);
   CHECK(*read.position == session.camera->position);
   CHECK(*read.target == session.camera->target);
   CHECK(*read.fov == session.camera->fov);

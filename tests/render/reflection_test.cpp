@@ -138,6 +138,39 @@ TEST_CASE("the inside of a sampled sphere mirrors its far side") {
   CHECK(wrong == 0);
 }
 
+TEST_CASE("a mirroring plane shows the second hit where it is") {
+  Scene scene;
+  scene.background = {0.1f, 0.2f, 0.3f};
+  scene.lights = {{1, -1, 2}};
+  const Double3 light = normalized(scene.lights[0]), center = {0, 0, 1.2};
+  const Color color = {0.8f, 0.4f, 0.2f};
+  add_formula(scene, "z", {{{1, 1, 1}, 1, 1}});
+  add_formula(scene, "x^2 + y^2 + (z - 1.2)^2 - 1", {{color, 1}});
+  const View view = view_along({0, -5, 4}, {0, -1.5, 0}, 40, 2.5);
+  Film film(40, 40, {});
+  CHECK(render(scene, view, {}, film).reflection > 800);
+  int seen = 0;
+  double worst = 0;
+  for_each_ray(view, [&](std::uint32_t id, const Double3& o, const Double3& d) {
+    const double t = -o[2] / d[2];
+    const Double3 p = o + t * d, r = {d[0], d[1], -d[2]};
+    if (std::abs(p[0]) > 2.9 || std::abs(p[1]) > 2.9) return;
+    const Roots direct = unit_sphere(o - center, d), second = unit_sphere(p - center, r);
+    if (direct.discriminant > -0.01 || std::abs(second.discriminant) < 0.01) return;
+    Color expected = scene.background;
+    if (second.discriminant > 0) {
+      ++seen;
+      const Double3 normal = (p - center) + second.near * r;
+      const Color dull = ambient(color), shine = lit(color, normal, light, -1.0 * r);
+      for (int c = 0; c < 3; ++c) expected[c] = dull[c] + shine[c];
+    }
+    const float* pixel = film.color(id);
+    worst = std::max(worst, difference({pixel[0], pixel[1], pixel[2]}, expected));
+  });
+  CHECK(seen > 200);
+  CHECK(worst < 1e-5);
+}
+
 TEST_CASE("rays go to and fro between two mirrors as often as asked") {
   Scene scene;
   scene.background = {0, 1, 0};

@@ -1,4 +1,6 @@
 // Transparency: layers in order, over objects and iso-values, against colours in closed form.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -103,6 +105,38 @@ TEST_CASE("the layers of two overlapping objects are taken in order") {
   RenderSettings deep;
   deep.transparency_depth = 6;
   check_pixel(pixel_along(scene, kFrom, kTo, deep), {grey, red, blue, red, blue, grey});
+}
+
+TEST_CASE("forty layers of four objects, of several iso-values each, are taken in order") {
+  // spheres around points of the ray; their radii never meet
+  Scene scene;
+  std::vector<std::pair<double, Material>> layers;
+  for (int object = 0; object < 4; ++object) {
+    std::vector<double> iso;
+    std::vector<Material> materials;
+    const double center = -0.3 + 0.21 * object;
+    for (int i = 0; i < 5; ++i) {
+      const double radius = 0.4 + 0.37 * i + 0.013 * object;
+      iso.push_back(radius * radius);
+      materials.push_back({{0.1f * static_cast<float>(i), 0.2f * static_cast<float>(object), 0.5f},
+                           0.02f + 0.03f * static_cast<float>(i)});
+      for (const double side : {-1, 1}) layers.push_back({center + side * radius, materials.back()});
+    }
+    add_formula(scene, fmt::format("x^2 + (y - ({}))^2 + z^2", center), materials, iso);
+  }
+  std::ranges::sort(layers, {}, [](const auto& layer) { return layer.first; });
+  std::vector<Material> order;
+  for (const auto& [place, material] : layers) order.push_back(material);
+  RenderSettings deep;
+  deep.transparency_depth = 64;
+  check_pixel(pixel_along(scene, kFrom, kTo, deep), order);
+  std::ranges::reverse(order);
+  check_pixel(pixel_along(scene, {0, 9, 0}, kTo, deep), order);
+  deep.transparency_depth = 17;
+  std::ranges::reverse(order);
+  order.resize(17);
+  order.back().opacity = 1;
+  check_pixel(pixel_along(scene, kFrom, kTo, deep), order);
 }
 
 TEST_CASE("a ray that an opaque surface ended asks for nothing more") {

@@ -4,55 +4,16 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <random>
 
-#include "make_tree.h"
-#include "make_volume.h"
+#include "same_hits.h"
+#include "test_fields.h"
 
 using namespace isocast;
 using namespace isocast::test;
 
 namespace {
-
-constexpr std::array<std::int64_t, 3> kDims = {37, 30, 41};
-
-double wavy(std::int64_t i, std::int64_t j, std::int64_t k) {
-  const double x = double(i), y = double(j), z = double(k);
-  return 40 + 30 * std::sin(0.45 * x) * std::cos(0.5 * y) + 25 * std::sin(0.4 * z + 0.1 * x);
-}
-double rough(std::int64_t i, std::int64_t j, std::int64_t k) {
-  const std::uint64_t x = static_cast<std::uint64_t>(i + 100 * j + 10000 * k + 1) * 0x9e3779b97f4a7c15u;
-  return static_cast<double>(x >> 40 & 127);
-}
-// A plane that is met exactly: values that are zero at samples and on whole faces.
-double flat(std::int64_t i, std::int64_t j, std::int64_t k) { return double(i + j - k % 2) + 20; }
-
-std::shared_ptr<Volume> with_holes(std::shared_ptr<Volume> volume) {
-  auto* samples = reinterpret_cast<float*>(const_cast<std::byte*>(volume->samples));
-  for (std::int64_t i = 0; i < volume->count(); i += 97) samples[i] = std::nanf("");
-  for (std::int64_t i = 5; i < volume->count(); i += 211) samples[i] = INFINITY;
-  for (std::int64_t i = 50; i < volume->count(); i += 1009) samples[i] = -3e38f;
-  return volume;
-}
-
-template <class T> bool same(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
-// The first slot whose answers differ, or -1. Slots without a hit have a certificate only.
-int first_difference(const HitStream& a, const HitStream& b) {
-  for (int i = 0; i < kStreamSize; ++i) {
-    if (is_hit(a, i) != is_hit(b, i) || a.certificate[i] != b.certificate[i]) return i;
-    if (a.object[i] != b.object[i]) return i;
-    if (!is_hit(a, i) || a.object[i] != 0) continue;
-    const bool equal = same(a.t[i], b.t[i]) && same(a.t_lo[i], b.t_lo[i]) && same(a.t_hi[i], b.t_hi[i]) &&
-                       same(a.s[i], b.s[i]) && same(a.s_hi[i], b.s_hi[i]) && a.cell[0][i] == b.cell[0][i] &&
-                       a.cell[1][i] == b.cell[1][i] && a.cell[2][i] == b.cell[2][i] &&
-                       a.sides[i] == b.sides[i] && a.iso[i] == b.iso[i];
-    if (!equal) return i;
-  }
-  return -1;
-}
 
 // Compares all blocks of a view; returns the number of hits.
 std::int64_t compare(const VolumeSurface& surface, const View& view, double u = 0.5, double v = 0.5,
@@ -164,28 +125,6 @@ TEST_CASE("random cameras: every ray has the hit of the walk", "[property]") {
     hits += compare(surface, view, random() % 2 ? 0.5 : 0.0, 0.5, bound);
   }
   CHECK(hits > 1000 * test::cases(140, 20000));
-}
-
-// Scattered leaves, also at negative places, with inactive samples; active and inactive tiles beside them.
-std::shared_ptr<Volume> patchy_tree(SparseType type) {
-  TreeMaker maker(type, 7);
-  std::mt19937_64 random(3);
-  for (int z = -2; z < 4; ++z)
-    for (int y = -3; y < 3; ++y)
-      for (int x = -2; x < 5; ++x) {
-        const auto kind = random() % 6;
-        const std::array<std::int32_t, 3> origin = {8 * x, 8 * y, 8 * z};
-        if (kind == 0) maker.tile(origin, 3, 60, true);
-        if (kind == 1) maker.tile(origin, 3, 70, false);
-        if (kind < 3) continue;
-        for (int n = 0; n < 512; ++n) {
-          const std::array<std::int32_t, 3> p = {origin[0] + (n & 7), origin[1] + (n >> 3 & 7),
-                                                 origin[2] + (n >> 6)};
-          maker.set(p, wavy(p[0], p[1], p[2]), kind != 3 || random() % 4);
-        }
-      }
-  maker.tile({128, 0, 0}, 7, 50, true);
-  return maker.volume();
 }
 
 TEST_CASE("sparse grids: every ray has the hit of the walk") {

@@ -1,5 +1,5 @@
 #include <isocast/volume/dense_grid.h>
-#include <isocast/volume/primary/brick_mask.h>
+#include <isocast/volume/bricks/brick_mask.h>
 #include <isocast/volume/primary/bricks_in_view.h>
 
 #include <algorithm>

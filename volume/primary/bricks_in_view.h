@@ -2,7 +2,7 @@
 #pragma once
 
 #include <isocast/render/camera.h>
-#include <isocast/volume/primary/bricks.h>
+#include <isocast/volume/bricks/bricks.h>
 #include <isocast/volume/primary/patch.h>
 #include <isocast/volume/primary/screen_map.h>
 #include <isocast/volume/query.h>

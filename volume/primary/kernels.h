@@ -1,7 +1,7 @@
 // The table of what object order does for many rays or cells at once, one per instruction set.
 #pragma once
 
-#include <isocast/volume/primary/brick_mask.h>
+#include <isocast/volume/bricks/brick_mask.h>
 #include <isocast/volume/primary/patch.h>
 #include <isocast/volume/primary/screen_map.h>
 #include <isocast/volume/query.h>
@@ -28,18 +28,5 @@ struct PrimaryKernels {
 
 /// The table of an instruction set that runs here. All give the same bits.
 [[nodiscard]] const PrimaryKernels& primary_kernels(Isa isa);
-
-/// What is known of a fetched cell: it exists; it does not (a corner is not finite); it does, but its corners
-/// minus iso are too large for T (only told to methods that prove).
-enum class FetchedCell : std::uint8_t { exists, none, doubtful };
-
-/// Asks memory for the samples of the 4^3 cells of a dense grid from `first` on.
-void prefetch_block(const VolumeQuery& query, const std::int32_t (&first)[3]);
-
-/// Corners minus iso of cells.
-void fetch_cells(const VolumeQuery& query, int iso, const std::int32_t (*cells)[3], int count, float (*f)[8],
-                 FetchedCell* states);
-void fetch_cells(const VolumeQuery& query, int iso, const std::int32_t (*cells)[3], int count, double (*f)[8],
-                 FetchedCell* states);
 
 }  // namespace isocast

@@ -62,9 +62,10 @@ void VolumePass::trace_patch(int px, int py, BlockHits& hits, PatchState& patch,
     filled = fill_tiles(pixels, filled, hits, patch);
     if (kernels_.hidden(patch, pixels, brick.nearest)) continue;
     for (int iso = 0; iso < query_.iso_count; ++iso)
-      if (const BrickMask* mask =
-              masks_[static_cast<std::size_t>(iso)]->of(query_, iso, brick.index, brick.first))
-        kernels_.trace_brick(query_, bricks_.map, iso, brick.first, *mask, pixels, patch, counts);
+      if (const BrickMask& mask =
+              masks_[static_cast<std::size_t>(iso)]->of(query_, iso, brick.index, brick.first);
+          mask.blocks != 0)
+        kernels_.trace_brick(query_, bricks_.map, iso, brick.first, mask, pixels, patch, counts);
   }
   kernels_.finish_patch(query_, patch, counts);
   for (int tile = 0; tile < kTilesPerPatch * kTilesPerPatch; ++tile)

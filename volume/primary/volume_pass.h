@@ -3,7 +3,7 @@
 
 #include <isocast/ray/primary_pass.h>
 #include <isocast/render/camera.h>
-#include <isocast/volume/primary/brick_masks.h>
+#include <isocast/volume/bricks/brick_masks.h>
 #include <isocast/volume/primary/bricks_in_view.h>
 #include <isocast/volume/primary/kernels.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>

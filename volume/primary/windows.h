@@ -1,6 +1,7 @@
 // The rays of small windows of a patch that cross one cell.
 #pragma once
 
+#include <isocast/volume/fetch_cells.h>
 #include <isocast/volume/primary/pairs.h>
 
 namespace isocast::inline ISO_ISA {

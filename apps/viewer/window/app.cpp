@@ -34,7 +34,7 @@ std::optional<Camera> App::camera() const {
   if (session.camera) return session.camera;
   const auto [width, height] = picture_size();
   if (!news->any || width < 1 || height < 1) return std::nullopt;
-  return isocast::frame(news->bounds, camera_of(session.words), double(width) / height);
+  return isocast::frame(news->bounds, news->camera, double(width) / height);
 }
 
 void App::open(const std::string& input) {
@@ -44,6 +44,7 @@ void App::open(const std::string& input) {
   for (std::string* text : {&words.position, &words.target, &words.up, &words.domain}) text->clear();
   words.params.clear();
   words.method = "auto";
+  words.camera.clear();
   words.set.clear();
   session = start_session(words);
   planes.clear();
@@ -76,7 +77,7 @@ void App::take_results() {
     news = now;
     if (news->scene != adopted_scene && news->error.empty()) {
       adopted_scene = news->scene;
-      if (session.surfaces.empty()) adopt_surfaces(session, news->iso);
+      if (session.surfaces.empty() && news->objects == 1) adopt_surfaces(session, news->iso, news->materials);
     }
   }
   if (auto now = new_probe.exchange(nullptr)) probed = now;

@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
-#include <isocast/apps/isocast/formula_input.h>
 #include <isocast/apps/isocast/parse_values.h>
+#include <isocast/apps/scene_build/formula_input.h>
+#include <isocast/apps/scene_build/scene_file.h>
 #include <isocast/apps/viewer/formula_names.h>
 #include <isocast/apps/viewer/window/panels.h>
 #include <isocast/base/error.h>
@@ -78,11 +79,13 @@ void time_row(App& app) {
 
 void input_panel(App& app) {
   RenderWords& words = app.session.words;
-  if (app.news->is_volume) {
+  if (app.news->is_volume || is_scene_file(words.input) || has_volume_extension(words.input)) {
     if (text_field(app, "input.path", app.path, words.input, "a file, a formula or @id", false))
       app.open(app.path.text);
-    wrapped(fmt::format("{} samples, {:.1f} MB", app.news->type,
-                        1e-6 * static_cast<double>(app.news->volume_bytes)));
+    if (app.news->objects > 1) wrapped(fmt::format("{} objects", app.news->objects));
+    if (app.news->is_volume)
+      wrapped(fmt::format("{} samples, {:.1f} MB", app.news->type,
+                          1e-6 * static_cast<double>(app.news->volume_bytes)));
     return formula_error(app);
   }
   // only the surface changes, so that iso-value and camera stay
@@ -90,7 +93,7 @@ void input_panel(App& app) {
                  true)) {
     words.input = app.formula.text;
     if (is_volume_file(words.input, {})) app.open(words.input);
-    words.params.clear();
+    if (words.input.starts_with('@')) words.params.clear();  // it has its own
   }
   formula_error(app);
   if (text_field(app, "input.domain", app.domain, words.domain, "domain: -1,1 or six numbers", false))

@@ -60,6 +60,7 @@ void suggestions(App& app, const VolumeStatistics& statistics) {
 }  // namespace
 
 void iso_panel(App& app) {
+  if (app.news->objects > 1) return wrapped("The scene's file has the iso-values of its objects.");
   if (app.session.surfaces.empty()) return wrapped("not known yet");
   iso_slider(app);
   for (std::size_t i = 0; i < app.session.surfaces.size(); ++i)

@@ -47,6 +47,12 @@ bool light_row(App& app, std::size_t i) {
   return keep;
 }
 
+// A number that is not given until it is changed.
+void count_slider(const char* label, std::optional<int>& value, int otherwise, int lo, int hi) {
+  int now = value.value_or(otherwise);
+  if (ImGui::SliderInt(label, &now, lo, hi)) value = now;
+}
+
 }  // namespace
 
 void look_panel(App& app) {
@@ -58,6 +64,9 @@ void look_panel(App& app) {
   if (words.lights.size() < kMost && button(app, "look.add", "Add a light"))
     words.lights.push_back(light_of({-60, 50}));
   check_box(app, "look.shadows", "Shadows", words.shadows);
+  ImGui::SetNextItemWidth(rest_of_width(6));
+  ImGui::SliderInt("occlusion", &words.ambient_occlusion, 0, 64);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("rays for the light of the sky at each hit");
   auto mirrored =
       app.session.surfaces.empty() ? 0.0f : static_cast<float>(app.session.surfaces.front().reflectivity);
   ImGui::SetNextItemWidth(rest_of_width(6));
@@ -65,24 +74,24 @@ void look_panel(App& app) {
     for (IsoSurface& surface : app.session.surfaces) surface.reflectivity = mirrored;
   app.landmarks.mark("look.mirrored");
   ImGui::SetNextItemWidth(rest_of_width(6));
-  ImGui::SliderInt("reflections", &words.reflections, 0, 16);
+  count_slider("reflections", words.reflections, 1, 0, 16);
   ImGui::SetNextItemWidth(rest_of_width(6));
-  ImGui::SliderInt("crossings", &words.transparency_depth, 1, 64);
+  count_slider("crossings", words.transparency_depth, 4, 1, 64);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("that a ray passes through transparent surfaces");
 
-  std::string edges = words.aa == "spp" || words.spp > 1 ? "samples"
-                      : words.aa == "silhouette"         ? "silhouettes"
-                                                         : "as they are";
+  std::string edges = words.aa == "spp" || words.spp.value_or(1) > 1 ? "samples"
+                      : words.aa == "silhouette"                     ? "silhouettes"
+                                                                     : "as they are";
   ImGui::SetNextItemWidth(rest_of_width(6));
   if (choice(app, "look.edges", {"as they are", "samples", "silhouettes"}, edges)) {
     words.aa = edges == "samples" ? "spp" : edges == "silhouettes" ? "silhouette" : "";
-    words.spp = edges == "samples" ? 4 : 1;
+    words.spp.reset();
   }
   ImGui::SameLine();
   ImGui::TextUnformatted("edges");
   if (edges == "samples") {
     ImGui::SetNextItemWidth(rest_of_width(6));
-    ImGui::SliderInt("a pixel", &words.spp, 2, 64);
+    count_slider("a pixel", words.spp, 4, 2, 64);
   }
   ImGui::SetNextItemWidth(rest_of_width(6));
   choice(app, "look.normals",

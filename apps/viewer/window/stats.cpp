@@ -1,9 +1,22 @@
 #include <isocast/apps/viewer/window/stats.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace isocast::viewer {
+namespace {
+
+nlohmann::ordered_json summary(std::vector<double> values) {
+  std::ranges::sort(values);
+  if (values.empty()) return {{"count", 0}};
+  return {{"count", values.size()},
+          {"least", values.front()},
+          {"median", values[values.size() / 2]},
+          {"most", values.back()}};
+}
+
+}  // namespace
 
 std::string stats_json(const App& app, int threads) {
   using json = nlohmann::ordered_json;
@@ -34,7 +47,8 @@ std::string stats_json(const App& app, int threads) {
   stats["cancel_ms"] = counts.longest_end_ms.load();
   stats["interface"] = {
       {"frames", app.times.frames}, {"longest_ms", app.times.longest_ms}, {"over_16_ms", app.times.slow}};
-  if (app.shown) stats["picture"] = {{"ms", app.shown->ms}, {"latency_ms", app.shown->latency_ms}};
+  stats["latency_ms"] = {{"first", summary(counts.first.all())},
+                         {"complete", summary(counts.complete.all())}};
   stats["memory_mb"] = {{"peak", static_cast<double>(usage.ru_maxrss) * 1024e-6},
                         {"volume", 1e-6 * static_cast<double>(app.news->volume_bytes)},
                         {"acceleration", 1e-6 * static_cast<double>(app.news->acceleration_bytes)}};

@@ -1,0 +1,194 @@
+#include <isocast/ray/csg_walk.h>
+
+#include <algorithm>
+
+namespace isocast {
+namespace {
+
+constexpr int kOperandShift = CsgSurface::kMostIsos;
+constexpr std::uint32_t kSidesMask = (1u << kOperandShift) - 1;
+
+}  // namespace
+
+// The nearest crossings of a ray, all at one t. operand: the one whose hit this is, -1 where the solid goes
+// on through it.
+struct CsgWalk::Event {
+  int operand = -1;
+  bool any = false;
+};
+
+CsgWalk::CsgWalk(const CsgSurface& csg, const RayStream& rays, TraceCounts& counts)
+    : csg_(csg),
+      rays_(rays),
+      counts_(counts),
+      count_(static_cast<int>(csg.operands_.size())),
+      waiting_(std::make_unique_for_overwrite<HitStream[]>(csg.operands_.size())),
+      sides_(std::make_unique_for_overwrite<std::uint32_t[][kStreamSize]>(csg.operands_.size())),
+      taken_(std::make_unique<bool[][kStreamSize]>(csg.operands_.size())) {
+  for (int i = 0; i < rays.size; ++i)
+    starts_here_ = starts_here_ || (rays.t_min[i] <= rays.t_max[i] && rays.start_object[i] == csg.object_);
+  for (int k = 0; k < count_; ++k) {
+    HitStream& hits = waiting_[k];
+    clear(hits);
+    if (csg.proves_) std::ranges::fill(hits.certificate, Certificate::proved_miss);
+    csg.operands_[k].surface->first_hit(rays_of(k), hits, counts);
+  }
+  find_first_sides();
+}
+
+// The rays as operand k sees them: one that starts on another operand does not start on it.
+const RayStream& CsgWalk::rays_of(int k) {
+  if (!starts_here_) return rays_;
+  if (!carried_) carried_ = std::make_unique<RayStream>(rays_);
+  for (int i = 0; i < rays_.size; ++i) {
+    if (rays_.start_object[i] != csg_.object_) continue;
+    carried_->start_object[i] = carries(k, i) ? csg_.object_ : kNoObject;
+    carried_->start_sides[i] = rays_.start_sides[i] & kSidesMask;
+  }
+  return *carried_;
+}
+
+bool CsgWalk::carries(int k, int i) const {
+  return rays_.start_object[i] == csg_.object_ && rays_.start_sides[i] >> kOperandShift == unsigned(k);
+}
+
+void CsgWalk::find_first_sides() {
+  for (int k = 0; k < count_; ++k) {
+    const HitStream& hits = waiting_[k];
+    RaySides found[kStreamSize];
+    const bool all_hit =
+        std::all_of(hits.t, hits.t + rays_.size, [](double t) { return t < __builtin_inf(); });
+    if (!all_hit) csg_.operands_[k].surface->find_sides(rays_, hits, found);
+    for (int i = 0; i < rays_.size; ++i) {
+      if (is_hit(hits, i)) sides_[k][i] = hits.sides[i];
+      else if (carries(k, i)) sides_[k][i] = rays_.start_sides[i] & kSidesMask;
+      else {
+        sides_[k][i] = found[i].below;
+        doubt_[i] = doubt_[i] || !found[i].sure;
+      }
+    }
+  }
+}
+
+bool CsgWalk::in_operand(int k, int i) const {
+  const CsgOperand& operand = csg_.operands_[k];
+  const std::uint32_t all = (1u << operand.iso_count) - 1, below = sides_[k][i] & all;
+  return operand.above ? below != all : below != 0;
+}
+
+bool CsgWalk::is_inside(const CsgPart& part, int i, int& operand) const {
+  if (part.operation == CsgOperation::operand) return in_operand(operand++, i);
+  bool inside = is_inside(part.parts[0], i, operand);
+  for (std::size_t n = 1; n < part.parts.size(); ++n) {
+    const bool next = is_inside(part.parts[n], i, operand);  // always asked: it counts the operands
+    if (part.operation == CsgOperation::unite) inside = inside || next;
+    else inside = inside && (part.operation == CsgOperation::intersect ? next : !next);
+  }
+  return inside;
+}
+bool CsgWalk::is_inside(int i) const {
+  int operand = 0;
+  return is_inside(csg_.part_, i, operand);
+}
+
+// Passes the nearest waiting crossings of ray i, and marks them as taken.
+CsgWalk::Event CsgWalk::take_nearest(int i) {
+  double t = Box::inf, t_hi = Box::inf;
+  for (int k = 0; k < count_; ++k)
+    if (waiting_[k].t[i] < t) t = waiting_[k].t[i], t_hi = waiting_[k].t_hi[i];
+  Event event;
+  if (!(t < Box::inf)) return event;
+  event.any = true;
+  // nothing else may lie within the bracket, and nobody's way up to it may be in doubt
+  int near = 0;
+  for (int k = 0; k < count_; ++k) {
+    near += is_hit(waiting_[k], i) && waiting_[k].t_lo[i] <= t_hi;
+    doubt_[i] = doubt_[i] || waiting_[k].certificate[i] == Certificate::undecided;
+  }
+  doubt_[i] = doubt_[i] || near > 1;
+
+  const bool before = is_inside(i);
+  int inner = -1, outer = -1;
+  for (int k = 0; k < count_; ++k) {
+    if (waiting_[k].t[i] != t) continue;
+    const bool was_in = in_operand(k, i);
+    sides_[k][i] = sides_behind(waiting_[k], i);
+    taken_[k][i] = true;
+    int& first = was_in == in_operand(k, i) ? inner : outer;
+    if (first < 0) first = k;
+  }
+  const bool behind = is_inside(i);
+  if (before != behind) event.operand = outer;
+  else if (inner >= 0 && outer < 0 && behind) {
+    // an inner surface is there if without its operand the solid were not
+    std::uint32_t& sides = sides_[inner][i];
+    const std::uint32_t kept = sides;
+    sides = csg_.operands_[inner].above ? ~0u : 0;
+    if (!is_inside(i)) event.operand = inner;
+    sides = kept;
+  }
+  return event;
+}
+
+// Asks the operands for what lies behind the crossings that were taken.
+void CsgWalk::follow() {
+  HitStream asked;
+  for (int k = 0; k < count_; ++k) {
+    const bool any = std::any_of(taken_[k], taken_[k] + rays_.size, [](bool taken) { return taken; });
+    if (!any) continue;
+    asked = waiting_[k];
+    for (int i = 0; i < rays_.size; ++i)
+      if (!taken_[k][i]) forget(asked, i);
+    csg_.operands_[k].surface->next_hit(rays_of(k), asked, counts_);
+    for (int i = 0; i < rays_.size; ++i) {
+      if (!taken_[k][i]) continue;
+      taken_[k][i] = false;
+      // a hit that was taken has left its certificate behind
+      if (!is_hit(asked, i) && asked.certificate[i] == Certificate::proved_hit)
+        asked.certificate[i] = Certificate::proved_miss;
+      copy_slot(asked, waiting_[k], i);
+      waiting_[k].cost[i] = asked.cost[i];
+      if (is_hit(asked, i)) sides_[k][i] = asked.sides[i];
+    }
+  }
+}
+
+void CsgWalk::find(bool (&open)[kStreamSize], const int (&passed)[kStreamSize], HitStream& hits) {
+  int taken[kStreamSize] = {};
+  for (bool any = true; any;) {
+    any = false;
+    for (int i = 0; i < rays_.size; ++i) {
+      if (!open[i]) continue;
+      const Event event = take_nearest(i);
+      ++taken[i];
+      if (!event.any) {
+        open[i] = false;
+        for (int k = 0; k < count_; ++k)
+          doubt_[i] = doubt_[i] || waiting_[k].certificate[i] == Certificate::undecided;
+        if (doubt_[i] && csg_.proves_) hits.certificate[i] = Certificate::undecided;
+        continue;
+      }
+      if (event.operand < 0 || taken[i] <= passed[i]) {
+        any = true;
+        continue;
+      }
+      open[i] = false;
+      const HitStream& found = waiting_[event.operand];
+      copy_slot(found, hits, i);
+      hits.s[i] = taken[i];
+      hits.iso[i] = static_cast<std::uint8_t>(csg_.first_iso_[event.operand] + found.iso[i]);
+      hits.sides[i] = (found.sides[i] & kSidesMask) | std::uint32_t(event.operand) << kOperandShift;
+      hits.object[i] = csg_.object_;
+      if (csg_.proves_) hits.certificate[i] = doubt_[i] ? Certificate::undecided : Certificate::proved_hit;
+    }
+    if (any) follow();
+  }
+}
+
+std::uint32_t CsgWalk::cost(int i) const {
+  std::uint32_t cost = 0;
+  for (int k = 0; k < count_; ++k) cost += waiting_[k].cost[i];
+  return cost;
+}
+
+}  // namespace isocast

@@ -1,0 +1,45 @@
+// Rays on their way from crossing to crossing of a solid's operands.
+#pragma once
+
+#include <isocast/ray/csg_surface.h>
+
+namespace isocast {
+
+/// Of every operand the next crossing waits for its turn; only where it was taken the operand is asked for
+/// the following one.
+class CsgWalk {
+ public:
+  /// Begins at the start of all rays.
+  CsgWalk(const CsgSurface& csg, const RayStream& rays, TraceCounts& counts);
+
+  /// Takes each ray with open[i] to the first hit behind its first passed[i] crossings, into `hits` of the
+  /// solid's object; a slot whose ray meets none any more keeps all but its certificate, which becomes
+  /// undecided where that is not proved. HitStream::s of a hit is the number of crossings up to it.
+  void find(bool (&open)[kStreamSize], const int (&passed)[kStreamSize], HitStream& hits);
+
+  /// What the operands' first hits cost.
+  [[nodiscard]] std::uint32_t cost(int i) const;
+
+ private:
+  struct Event;
+  [[nodiscard]] const RayStream& rays_of(int operand);
+  [[nodiscard]] bool carries(int operand, int i) const;
+  [[nodiscard]] bool is_inside(const CsgPart& part, int i, int& operand) const;
+  [[nodiscard]] bool is_inside(int i) const;
+  [[nodiscard]] bool in_operand(int operand, int i) const;
+  [[nodiscard]] Event take_nearest(int i);
+  void follow();
+  void find_first_sides();
+
+  const CsgSurface& csg_;
+  const RayStream& rays_;
+  TraceCounts& counts_;
+  const int count_;
+  std::unique_ptr<HitStream[]> waiting_;                 // per operand
+  std::unique_ptr<std::uint32_t[][kStreamSize]> sides_;  // per operand: where the ray is now
+  std::unique_ptr<bool[][kStreamSize]> taken_;           // per operand: its crossing was
+  std::unique_ptr<RayStream> carried_;                   // rays as one operand sees them
+  bool starts_here_ = false, doubt_[kStreamSize] = {};
+};
+
+}  // namespace isocast

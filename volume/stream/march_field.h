@@ -1,0 +1,39 @@
+// What rays in any order march through, as kernels see it.
+#pragma once
+
+#include <isocast/volume/bricks/brick_map.h>
+#include <isocast/volume/bricks/brick_mask.h>
+#include <isocast/volume/query.h>
+
+namespace isocast {
+
+class IsoMasks;
+
+/// The bricks of a grid with their masks. Grid space: samples at the integers.
+///
+/// first, last  the grid's first and last sample per axis
+/// low, high    planes between which there may be active cells
+/// masks, made  of each iso-value, and IsoMasks::made of it
+struct MarchField {
+  const VolumeQuery* query;
+  BrickMap bricks;
+  double first[3], last[3], low[3], high[3];
+  const IsoMasks* masks[kMaxIsos];
+  const BrickMask* const* made[kMaxIsos];
+};
+
+/// The mask of a brick that is not made yet. at: the brick's place (find_brick).
+[[nodiscard]] const BrickMask& new_mask(const MarchField& field, int iso, std::size_t brick,
+                                        const std::int32_t (&at)[3]);
+
+}  // namespace isocast
+
+namespace isocast::inline ISO_ISA {
+
+inline const BrickMask& mask_of(const MarchField& field, int iso, std::size_t brick,
+                                const std::int32_t (&at)[3]) {
+  const BrickMask* mask = __atomic_load_n(field.made[iso] + brick, __ATOMIC_ACQUIRE);
+  return mask ? *mask : new_mask(field, iso, brick, at);
+}
+
+}  // namespace isocast::inline ISO_ISA
