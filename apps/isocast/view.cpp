@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/apps/viewer/viewer_module.h>
+#include <isocast/base/interrupt.h>
 #include <isocast/base/module.h>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,7 @@ void run(ViewRequest& request, const std::string& window) {
   const auto [width, height] = parse_size(window);
   request.window_width = width;
   request.window_height = height;
+  request.interrupted = interrupt_token();
   module_table<viewer::ViewerModule>("viewer", "view").run(request);
 }
 

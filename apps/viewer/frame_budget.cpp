@@ -14,7 +14,7 @@ void FrameBudget::note_ended(int divisor, double ms) {
 }
 
 int FrameBudget::divisor(double budget_ms) const {
-  if (full_ms_ == 0) return kCoarsest / 2;
+  if (full_ms_ == 0) return kCoarsest;
   constexpr double kReserve = 0.75;
   int divisor = 1;
   while (divisor < kCoarsest && expected_ms(divisor) > kReserve * budget_ms) ++divisor;

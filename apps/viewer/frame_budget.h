@@ -15,7 +15,7 @@ class FrameBudget {
   void note_ended(int divisor, double ms);
   /// Nothing is known any more: another scene or method.
   void forget() { full_ms_ = 0; }
-  /// 8 where nothing is known.
+  /// The coarsest where nothing is known.
   [[nodiscard]] int divisor(double budget_ms) const;
   /// What a picture is expected to take; 0: not known.
   [[nodiscard]] double expected_ms(int divisor) const { return full_ms_ / (divisor * divisor); }

@@ -3,6 +3,7 @@
 
 #include <isocast/apps/isocast/render_words.h>
 
+#include <stop_token>
 #include <string>
 
 namespace isocast::viewer {
@@ -16,6 +17,7 @@ struct ViewRequest {
   std::string script, stats;
   int window_width = 1280, window_height = 800;
   double scale = 0, budget_ms = 33;
+  std::stop_token interrupted;  // Ctrl-C, as the program sees it
 };
 
 /// Opens the window and returns when it is closed. Throws InputError.

@@ -1,12 +1,17 @@
 // The render loop: its pictures are those of `isocast render`, and the newest wish never waits for an older
 // one.
 #include <isocast/apps/isocast/parse_values.h>
+#include <isocast/apps/viewer/probe_work.h>
 #include <isocast/apps/viewer/render_loop.h>
 #include <isocast/apps/viewer/session.h>
 #include <isocast/render/image_file.h>
+#include <isocast/volume/io/read_volume.h>
 #include <oneapi/tbb/info.h>
+#include <temporary_folder.h>
+#include <zlib.h>
 
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <thread>
 
 using namespace isocast;
@@ -34,6 +39,19 @@ Film rendered(const RenderWords& words) {
   Film film(width, height, {});
   render(built.scene, view, settings_of(words, description.wishes), film);
   return film;
+}
+
+// size^3 bytes, a fraction of a second to inflate.
+void write_compressed_zeros(const std::filesystem::path& file, int size) {
+  std::vector<unsigned char> plain(static_cast<std::size_t>(size) * size * size),
+      packed(compressBound(plain.size()));
+  uLongf bytes = packed.size();
+  REQUIRE(compress2(packed.data(), &bytes, plain.data(), plain.size(), 1) == Z_OK);
+  std::ofstream out(file, std::ios::binary);
+  out << "ObjectType = Image\nNDims = 3\nCompressedData = True\nCompressedDataSize = " << bytes
+      << "\nDimSize = " << size << ' ' << size << ' ' << size
+      << "\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+  out.write(reinterpret_cast<const char*>(packed.data()), static_cast<std::streamsize>(bytes));
 }
 
 constexpr const char* kHard = "sin(20*x)*cos(19*y)+sin(21*y)*cos(18*z)+sin(17*z)*cos(20*x)+0.1*sin(80*x*y*z)";
@@ -141,9 +159,81 @@ TEST_CASE("what cannot be shown is told, and the scene before stays") {
   CHECK(loop.picture()->film->color() == rendered(before).color());
 }
 
+TEST_CASE("loading shows how far it is and can be cancelled") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "zeros.mha";
+  write_compressed_zeros(file, 640);
+  RenderLoop loop;
+  Wish wish = wish_for(file.c_str());
+  wish.words.iso = "0.5";
+  loop.ask(wish);
+  while (!loop.loading() || loop.work().share == 0) std::this_thread::yield();
+  CHECK(loop.work().what == "inflating");
+  // another camera does not begin it anew, cancel ends it
+  wish.words.position = "0,-1000,0";
+  loop.ask(wish);
+  loop.cancel();
+  rest(loop);
+  CHECK(loop.news()->error == "loading was cancelled");
+  CHECK_FALSE(loop.news()->any);
+  // it is not tried again by itself, but another input is
+  wish.words.position = "0,-2000,0";
+  loop.ask(wish);
+  rest(loop);
+  CHECK(loop.counts().scenes == 0);
+  loop.ask(wish_for("x^2+y^2+z^2-0.5"));
+  rest(loop);
+  CHECK(loop.counts().scenes == 1);
+}
+
+TEST_CASE("jobs see the complete picture, and extras make way for them") {
+  RenderLoop loop;
+  Wish wish = wish_for("x^2+y^2+z^2-0.5", "320x240");
+  wish.overlay = Overlay::error;
+  loop.ask(wish);
+  std::atomic<int> probes = 0;
+  double nearest = 0;
+  for (int i = 0; i < 3; ++i)
+    loop.post([&](const JobScene& scene) {
+      CHECK(scene.picture.stage == Stage::final);
+      const PixelProbe probe = probe_pixel(scene, 160, 120);
+      REQUIRE(probe.probe.truth.roots.size() == 2);
+      nearest = probe.probe.truth.roots.front().lo;
+      REQUIRE(probe.profile.values.size() == 1024);
+      const double at = (nearest - probe.profile.t0) / (probe.profile.t1 - probe.profile.t0) * 1023;
+      CHECK(probe.profile.values[static_cast<std::size_t>(at)] > -1e-2f);
+      CHECK(probe.profile.values[static_cast<std::size_t>(at) + 2] < 0);
+      ++probes;
+    });
+  rest(loop);
+  CHECK(probes == 3);
+  CHECK(nearest > 0);
+  // the overlay is there: the sphere's middle is no longer its own colour, the film is
+  const auto picture = loop.picture();
+  const std::size_t middle = 4 * (120 * 320 + 160);
+  CHECK(picture->rgba[middle] != srgb_code(picture->film->color()[middle]));
+  CHECK(picture->film->color() == rendered(wish.words).color());
+}
+
+TEST_CASE("f along a ray through a volume has its cells") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "zeros.mha";
+  write_compressed_zeros(file, 8);
+  const auto volume = std::make_shared<const Volume>(read_volume(file));
+  const VolumeSurface surface(volume, {.iso = {0.5}});
+  const RayProfile profile = profile_along(surface, volume.get(), {-10, 3.5, 3.5}, {1, 0, 0}, 100);
+  CHECK(profile.t0 == Approx(10));
+  CHECK(profile.t1 == Approx(17));
+  REQUIRE(profile.borders.size() == 8);
+  CHECK(profile.borders[3] == Approx(13));
+  REQUIRE(profile.values.size() == 101);
+  CHECK(profile.values[50] == 0);
+  CHECK(profile_along(surface, volume.get(), {-10, 30, 3.5}, {1, 0, 0}, 100).values.empty());
+}
+
 TEST_CASE("the resolution of previews follows what pictures cost") {
   FrameBudget budget;
-  CHECK(budget.divisor(33) == 8);
+  CHECK(budget.divisor(33) == kCoarsest);
   budget.note(8, 10);  // 640 ms in full
   CHECK(budget.divisor(33) == 6);
   CHECK(budget.expected_ms(6) < 33);

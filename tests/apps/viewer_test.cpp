@@ -1,7 +1,10 @@
 // The viewer without its window: what its pictures, its loop and its choices are held to.
 #include <isocast/apps/viewer/camera_motion.h>
+#include <isocast/apps/viewer/clip_planes.h>
 #include <isocast/apps/viewer/command_line.h>
+#include <isocast/apps/viewer/formula_names.h>
 #include <isocast/apps/viewer/iso_choices.h>
+#include <isocast/apps/viewer/script/script.h>
 #include <isocast/apps/viewer/session.h>
 
 #include <catch2/catch.hpp>
@@ -138,6 +141,38 @@ TEST_CASE("words that a shell would change are quoted") {
   words.clips = {"x-0.5", "it's"};
   CHECK(command_line(words, "a b.png") ==
         "isocast render '-x^2+y' --param a=2 --clip x-0.5 --clip 'it'\\''s' -o 'a b.png'");
+}
+
+TEST_CASE("scripts are read, and their mistakes named") {
+  const auto commands = parse_script("wait  # for it\n\n  formula \"x^2 + #y\"\nparam a -2.5e-1\n", "s.txt");
+  REQUIRE(commands.size() == 3);
+  CHECK(commands[1].words == std::vector<std::string>{"x^2 + #y"});
+  CHECK(commands[2].line == 4);
+  CHECK(commands[2].words == std::vector<std::string>{"a", "-2.5e-1"});
+  CHECK_THROWS_WITH(parse_script("wait\niso\n", "s.txt"), "s.txt:2: found 'iso', expected iso NUMBER");
+  CHECK_THROWS_WITH(parse_script("click 1 b", "s.txt"), Catch::StartsWith("s.txt:1: found 'click 1 b'"));
+  CHECK_THROWS_WITH(parse_script("quit now", "s.txt"), Catch::Contains("expected quit"));
+  CHECK_THROWS_WITH(parse_script("jump", "s.txt"), Catch::Contains("expected one of wait, iso"));
+}
+
+TEST_CASE("clip planes are formulas that keep their side") {
+  Box box;
+  box.add(Double3{-2, 0, 0});
+  box.add(Double3{2, 4, 1});
+  const auto formulas =
+      clip_formulas({{0, 0.25, false, true}, {1, 0.5, true, true}, {2, 0.5, true, false}}, box);
+  CHECK(formulas == std::vector<std::string>{"x-(-1)", "(2)-y"});
+  CHECK(clip_formulas({{}}, Box()).empty());
+}
+
+TEST_CASE("parameters of words and of the catalogue") {
+  RenderWords words = words_for("@barth_sextic");
+  words.params = {"b=3"};
+  const auto numbers = parameters_of(words);
+  CHECK(numbers.back().name == "b");
+  CHECK(numbers.back().value == 3);
+  CHECK(uses_time(words_for("x+sin(w)")));
+  CHECK_FALSE(uses_time(words_for("x+wave*0.5")));
 }
 
 TEST_CASE("iso-values by the share that they enclose") {

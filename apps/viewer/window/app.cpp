@@ -24,7 +24,12 @@ WindowWishes window_for(const ViewRequest& request) {
 }  // namespace
 
 App::App(const ViewRequest& made)
-    : request(made), session(start_session(made.words)), window(window_for(made)), loop(&Window::wake) {}
+    : request(made), session(start_session(made.words)), window(window_for(made)), loop(&Window::wake) {
+  for (Texture* const one : {&texture, &other_texture}) {
+    one->load(1, 1, {0, 0, 0, 0});
+    one->set_smooth(one == &texture);
+  }
+}
 
 std::array<int, 2> App::picture_size() const {
   return request.fixed_size ? parse_size(request.words.size) : canvas;
@@ -35,6 +40,13 @@ std::optional<Camera> App::camera() const {
   const auto [width, height] = picture_size();
   if (!news->any || width < 1 || height < 1) return std::nullopt;
   return isocast::frame(news->bounds, news->camera, double(width) / height);
+}
+
+RenderWords App::picture_words() const {
+  const auto [width, height] = picture_size();
+  RenderWords words = words_of(session, width, height);
+  for (std::string& plane : clip_formulas(planes, news->bounds)) words.clips.push_back(std::move(plane));
+  return words;
 }
 
 void App::open(const std::string& input) {
@@ -98,9 +110,7 @@ void App::ask() {
   const auto [width, height] = picture_size();
   if (width < 1 || height < 1) return;
   Wish wish;
-  wish.words = words_of(session, width, height);
-  for (std::string& formula_text : clip_formulas(planes, news->bounds))
-    wish.words.clips.push_back(std::move(formula_text));
+  wish.words = picture_words();
   wish.hold_full = hold_full;
   wish.budget_ms = request.budget_ms;
   wish.overlay = overlay;

@@ -37,6 +37,8 @@ struct App {
   [[nodiscard]] std::array<int, 2> picture_size() const;
   /// The camera in use; none before there is a scene.
   [[nodiscard]] std::optional<Camera> camera() const;
+  /// The command line that makes the picture.
+  [[nodiscard]] RenderWords picture_words() const;
   /// Another input, without what belonged to the one before.
   void open(const std::string& input);
   void save(const std::string& path);
@@ -49,7 +51,6 @@ struct App {
   Window window;
   Landmarks landmarks;
   Texture texture, other_texture;
-  RenderLoop loop;
 
   // what is wanted beside the session
   Overlay overlay = Overlay::none;
@@ -78,6 +79,8 @@ struct App {
   FrameTimes times;
   bool settled = false;
   std::atomic<bool> resting = false;
+
+  RenderLoop loop;  // goes first: its work writes to what came back
 
  private:
   void take_results();

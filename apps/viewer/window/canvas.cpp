@@ -22,8 +22,11 @@ Place place_of(const App& app, ImVec2 corner, ImVec2 room) {
 }
 
 void draw_picture(App& app, const Place& place) {
-  if (app.texture.empty()) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (!app.shown) {  // a software OpenGL compiles for both kinds of textures when it first sees them: now
+    list.AddImage(app.texture.handle(), {place.x, place.y}, {place.x + 1, place.y + 1});
+    return list.AddImage(app.other_texture.handle(), {place.x, place.y}, {place.x + 1, place.y + 1});
+  }
   // pixels of a preview may reach over the picture's edge to the left and right
   const float width = place.height * static_cast<float>(app.texture.width()) /
                       static_cast<float>(app.texture.height()),

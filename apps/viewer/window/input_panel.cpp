@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace isocast::viewer {
 namespace {
@@ -27,10 +28,23 @@ bool text_field(App& app, const char* name, TypedText& typed, const std::string&
   return true;
 }
 
-// The error under the formula, with a mark below the column that it names.
-void formula_error(const App& app) {
-  if (app.news->error.empty()) return;
-  wrapped(app.news->error, true);
+// The error of the newest wish. Of a formula, whose text begins at `corner`: with a mark at the column that
+// it names.
+void draw_error(const App& app, const ImVec2* corner) {
+  const std::string& error = app.news->error;
+  if (error.empty()) return;
+  int line = 0, column = 0;
+  const std::string text = typed_formula(app.session.words.input);
+  if (corner && std::sscanf(error.c_str(), "formula:%d:%d:", &line, &column) == 2 && line == 1 &&
+      column > 0) {
+    const std::string before = text.substr(0, static_cast<std::size_t>(column - 1));
+    const float em = ImGui::GetFontSize(),
+                x = corner->x + ImGui::GetStyle().FramePadding.x + ImGui::CalcTextSize(before.c_str()).x,
+                y = corner->y + ImGui::GetFrameHeight();
+    ImGui::GetWindowDrawList()->AddTriangleFilled({x, y - 0.35f * em}, {x - 0.25f * em, y},
+                                                  {x + 0.25f * em, y}, IM_COL32(255, 140, 100, 255));
+  }
+  wrapped(error, true);
 }
 
 double parameter_of(const RenderWords& words, const std::string& name, double otherwise) {
@@ -86,8 +100,9 @@ void input_panel(App& app) {
     if (app.news->is_volume)
       wrapped(fmt::format("{} samples, {:.1f} MB", app.news->type,
                           1e-6 * static_cast<double>(app.news->volume_bytes)));
-    return formula_error(app);
+    return draw_error(app, nullptr);
   }
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
   // only the surface changes, so that iso-value and camera stay
   if (text_field(app, "formula.text", app.formula, typed_formula(words.input), "f(x,y,z), @id or a file",
                  true)) {
@@ -95,7 +110,7 @@ void input_panel(App& app) {
     if (is_volume_file(words.input, {})) app.open(words.input);
     if (words.input.starts_with('@')) words.params.clear();  // it has its own
   }
-  formula_error(app);
+  draw_error(app, &corner);
   if (text_field(app, "input.domain", app.domain, words.domain, "domain: -1,1 or six numbers", false))
     words.domain = app.domain.text;
   const std::vector<NamedNumber> parameters = parameters_of(words);

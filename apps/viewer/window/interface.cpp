@@ -53,10 +53,8 @@ void handle_keys(App& app) {
   if (pressed(GLFW_KEY_F11)) app.window.toggle_full_screen();
   if (io.WantTextInput) return;
   if (io.KeyCtrl && pressed(GLFW_KEY_S)) app.save(app.output);
-  if (io.KeyCtrl && pressed(GLFW_KEY_C)) {
-    const auto [width, height] = app.picture_size();
-    ImGui::SetClipboardText(command_line(words_of(app.session, width, height), app.output).c_str());
-  }
+  if (io.KeyCtrl && pressed(GLFW_KEY_C))
+    ImGui::SetClipboardText(command_line(app.picture_words(), app.output).c_str());
   if (io.KeyCtrl) return;
   if (pressed(GLFW_KEY_SPACE)) app.playing = !app.playing;
   if (pressed(GLFW_KEY_F) || pressed(GLFW_KEY_HOME))

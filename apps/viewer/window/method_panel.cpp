@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <isocast/apps/viewer/window/panels.h>
-#include <isocast/base/error.h>
 
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 #include <isocast/apps/viewer/script/script_run.h>
 #include <isocast/apps/viewer/viewer_module.h>
 #include <isocast/apps/viewer/window/stats.h>
+#include <isocast/base/error.h>
 #include <isocast/base/interrupt.h>
 #include <isocast/base/mapped_file.h>
 #include <isocast/base/module.h>
@@ -34,7 +35,12 @@ void run(const ViewRequest& request) {
   App app(request);
   std::optional<ScriptRun> script;
   if (!request.script.empty()) script.emplace(app, request.script);
-  while (!app.window.wants_to_close() && !interrupt_token().stop_requested()) {
+  // a signal may reach the program's watcher or the one of this module's libraries
+  const auto interrupted = [&] {
+    return request.interrupted.stop_requested() || interrupt_token().stop_requested();
+  };
+  while (!app.window.wants_to_close()) {
+    if (interrupted()) throw Interrupted();
     // while nothing moves, a few frames a second; results and events end the wait
     constexpr double kMoving = 1.0 / 120, kResting = 0.25;
     app.frame(app.resting && !app.playing && app.times.frames > 5 ? kResting : kMoving);

@@ -56,11 +56,7 @@ void output_panel(App& app) {
   ImGui::SameLine();
   if (button(app, "output.save", "Save")) app.save(app.output);
   if (button(app, "output.copy", "Copy the command line")) {
-    const auto [width, height] = app.picture_size();
-    RenderWords words = words_of(app.session, width, height);
-    for (std::string& formula : clip_formulas(app.planes, app.news->bounds))
-      words.clips.push_back(std::move(formula));
-    ImGui::SetClipboardText(command_line(words, app.output).c_str());
+    ImGui::SetClipboardText(command_line(app.picture_words(), app.output).c_str());
     app.message = "copied";
   }
   if (!app.message.empty()) wrapped(app.message);

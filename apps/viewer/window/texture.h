@@ -18,7 +18,6 @@ class Texture {
   void load(int width, int height, const std::vector<std::uint8_t>& rgba);
   /// For ImGui's drawing calls.
   [[nodiscard]] void* handle() const { return reinterpret_cast<void*>(static_cast<std::uintptr_t>(name_)); }
-  [[nodiscard]] bool empty() const { return width_ == 0; }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   /// Between pixels: their nearest one, or a smooth mixture.

@@ -21,7 +21,11 @@ std::optional<double> number_in(const std::string& text) {
 bool number_field(App& app, const char* name, double& value, float width) {
   const std::string id = fmt::format("##{}", name);
   std::string& text = app.fields[name];
-  if (app.editing != name) text = fmt::format("{}", value);
+  if (app.editing != name) {
+    text = fmt::format("{}", value);
+    if (ImGui::CalcTextSize(text.c_str()).x > width - 2 * ImGui::GetStyle().FramePadding.x)
+      text = fmt::format("{:.5g}", value);
+  }
   ImGui::SetNextItemWidth(width);
   ImGui::InputText(id.c_str(), &text,
                    ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_AutoSelectAll);
