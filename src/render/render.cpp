@@ -118,28 +118,30 @@ TileCover tile_cover(BlockCover& cover, int x, int y) {
 
 // All samples of one block of tiles.
 void render_block(std::span<const FrameSample> samples, int bx, int by, Worker& worker, Target& target,
-                  Progress* progress) {
+                  std::stop_token stop, Progress* progress) {
   if (!worker.block) worker.block = std::make_unique_for_overwrite<BlockHits>();
   BlockHits& block = *worker.block;
   const View& view = samples.front().frame.view;
   const int columns = std::min(kBlockTiles, tiles_along(view.width()) - bx * kBlockTiles),
             rows = std::min(kBlockTiles, tiles_along(view.height()) - by * kBlockTiles);
   for (const FrameSample& sample : samples) {
-    block.reset(sample.frame.proves);
+    block.reset(sample.frame.proves, stop);
     for (const auto& pass : sample.frame.passes)
-      if (pass) pass->first_hits(bx, by, sample.u, sample.v, block, worker.counts.trace);
+      if (pass && !stop.stop_requested())
+        pass->first_hits(bx, by, sample.u, sample.v, block, worker.counts.trace);
     const CoveragePass* const coverage = sample.frame.coverage.get();
     if (coverage && !worker.cover) worker.cover = std::make_unique_for_overwrite<BlockCover>();
-    if (coverage) coverage->cover(bx, by, *worker.cover, worker.counts.trace);
+    if (coverage && !stop.stop_requested()) coverage->cover(bx, by, *worker.cover, worker.counts.trace);
     for (int y = 0; y < rows; ++y)
       for (int x = 0; x < columns; ++x) {
+        if (stop.stop_requested()) return;
         const TileCover cover = coverage ? tile_cover(*worker.cover, x, y) : TileCover();
         render_sample(sample, bx * kBlockTiles + x, by * kBlockTiles + y,
                       block.is_open(x, y) ? &block.tile(x, y) : nullptr, coverage ? &cover : nullptr,
                       *worker.buffers, target, worker.counts);
+        if (progress && &sample == &samples.back()) progress->add();
       }
   }
-  if (progress) progress->add(columns * rows);
 }
 
 Frame make_frame(const Scene& scene, const View& view, const RenderSettings& settings, const Film& film,
@@ -239,10 +241,11 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
   if (!samples.by_blocks())
     oneapi::tbb::parallel_for(std::int64_t(0), tile_count(view), [&](std::int64_t tile) {
       Worker& worker = workers.local();
-      for (const FrameSample& sample : samples.all())
-        if (!stop.stop_requested())
-          render_sample(sample, static_cast<int>(tile % tiles), static_cast<int>(tile / tiles), nullptr,
-                        nullptr, *worker.buffers, target, worker.counts);
+      for (const FrameSample& sample : samples.all()) {
+        if (stop.stop_requested()) return;
+        render_sample(sample, static_cast<int>(tile % tiles), static_cast<int>(tile / tiles), nullptr,
+                      nullptr, *worker.buffers, target, worker.counts);
+      }
       if (progress) progress->add();
     });
   else {
@@ -250,7 +253,7 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
               rows = (tiles_along(view.height()) + kBlockTiles - 1) / kBlockTiles;
     oneapi::tbb::parallel_for(0, blocks * rows, [&](int block) {
       if (stop.stop_requested()) return;
-      render_block(samples.all(), block % blocks, block / blocks, workers.local(), target, progress);
+      render_block(samples.all(), block % blocks, block / blocks, workers.local(), target, stop, progress);
     });
   }
   if (stop.stop_requested()) throw Interrupted();
