@@ -72,7 +72,7 @@ RenderWords words_of(const Session& session, int width, int height) {
   if (std::ranges::none_of(session.surfaces, &IsoSurface::visible)) {  // an iso-value that nobody sees
     words.iso = fmt::format("{}", session.surfaces.front().value);
     words.colors = words.reflectivity = "";
-    words.opacity = "0";
+    words.opacity = std::string("0");
     return words;
   }
   words.iso = list(session, [](const IsoSurface& s) { return s.value; });

@@ -22,7 +22,7 @@ Camera example() {
   camera.up = {0, 0, 1};
   return camera;
 }
-RenderWords words_for(const char* input) {
+RenderWords words_for(const std::string& input) {
   RenderWords words;
   words.input = input;
   return words;
