@@ -104,11 +104,17 @@ void VolumeSurface::use_tree() {
 }
 
 std::size_t VolumeSurface::acceleration_bytes() const {
-  std::size_t bytes = directory_.bytes() + (macrocells_ ? macrocells_->bytes()
-                                            : ranges_   ? ranges_->bytes()
-                                                        : 0);
-  for (const auto& masks : masks_) bytes += masks->bytes();
-  return bytes;
+  return directory_.bytes() + (macrocells_ ? macrocells_->bytes() : ranges_ ? ranges_->bytes() : 0);
+}
+
+MaskUse VolumeSurface::mask_use() const {
+  MaskUse use;
+  for (const auto& masks : masks_) {
+    use.bricks += masks->bricks();
+    use.masks += masks->count();
+    use.bytes += masks->bytes();
+  }
+  return use;
 }
 
 Box VolumeSurface::world_box(const Double3& lo, const Double3& hi) const {
@@ -154,7 +160,7 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
   normals_ = options.normals;
   query_.cells = &cell_kernels(options.isa);
   isa_ = options.isa;
-  walk_ = options.walk;
+  order_ = options.order;
 }
 
 // Those of iso-values that stay are kept.
@@ -169,7 +175,7 @@ void VolumeSurface::choose_masks() {
 }
 
 std::unique_ptr<PrimaryPass> VolumeSurface::primary(const View& view) const {
-  if (bricks_.count == 0) return nullptr;
+  if (bricks_.count == 0 || order_ != RayOrder::automatic) return nullptr;
   std::optional<BricksInView> bricks = find_bricks(query_, bricks_, volume_->world_from_grid, view);
   if (!bricks) return nullptr;
   return std::make_unique<VolumePass>(query_, masks_, view, std::move(*bricks), isa_);
@@ -196,13 +202,13 @@ MarchField VolumeSurface::march_field() const {
 void VolumeSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   if (active_bounds_.empty()) return;
   const DefaultFloatEnvironment environment;
-  if (walk_ || !directory_.complete()) trace_first_hits(query_, rays, hits, counts);
+  if (order_ == RayOrder::walk || !directory_.complete()) trace_first_hits(query_, rays, hits, counts);
   else trace_first_hits(march_field(), stream_kernels(isa_), rays, hits, counts);
 }
 
 void VolumeSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   const DefaultFloatEnvironment environment;
-  if (walk_ || !directory_.complete()) trace_next_hits(query_, rays, hits, counts);
+  if (order_ == RayOrder::walk || !directory_.complete()) trace_next_hits(query_, rays, hits, counts);
   else trace_next_hits(march_field(), stream_kernels(isa_), rays, hits, counts);
 }
 

@@ -19,13 +19,25 @@
 
 namespace isocast {
 
+/// How rays find their cells; the bits are the same.
+///
+/// automatic  primary rays in object order where that pays, others in streams
+/// streams    all in streams: many rays at a time through the bricks' masks (stream/march_lanes.h)
+/// walk       one after the other through the ranges of blocks (march.h): what the others are held against
+enum class RayOrder : std::uint8_t { automatic, streams, walk };
+
+/// Bricks that could have bit masks, one for each iso-value, and the masks that rays have made necessary so
+/// far.
+struct MaskUse {
+  std::size_t bricks = 0, masks = 0, bytes = 0;
+};
+
 /// iso       1 to kMaxIsos values in the user's units (slope and intercept of the file)
 /// isa       which kernels run, by default the widest for this processor; all give the same bits
 /// normals   gradient: of the trilinear interpolant in the hit cell, exact and discontinuous across faces;
 ///           difference: central differences at the samples, interpolated, smooth
 /// object    number of the object in its scene
-/// walk      rays walk one after the other through the ranges of blocks, without masks: for comparisons; the
-///           bits are the same
+/// order     of rays
 struct VolumeSurfaceOptions {
   std::vector<double> iso;
   CellMethodChoice method = choose_cell_method("auto", {});
@@ -33,7 +45,7 @@ struct VolumeSurfaceOptions {
   Isa isa = widest_isa();
   NormalKind normals = NormalKind::gradient;
   std::uint16_t object = 0;
-  bool walk = false;
+  RayOrder order = RayOrder::automatic;
 };
 
 /// Holds the samples, dense or sparse, and the ranges that let rays leap; other options need one look at the
@@ -48,15 +60,16 @@ class VolumeSurface final : public Surface {
   VolumeSurface(std::shared_ptr<const Volume> volume, const VolumeSurfaceOptions& options);
 
   void set_options(const VolumeSurfaceOptions& options);
-  /// Memory of the ranges, and of the masks made so far.
+  /// Memory of what does not depend on the iso-values: ranges, and the places of bricks.
   [[nodiscard]] std::size_t acceleration_bytes() const;
+  [[nodiscard]] MaskUse mask_use() const;
 
   /// The whole grid, whatever the iso-values; empty for a sparse grid without an active sample.
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] bool proves() const override { return query_.proves; }
   /// By the box of the blocks that hold an iso-value.
   [[nodiscard]] bool narrow(const TileFrustum& tile) const override;
-  /// In object order, where that is to be had.
+  /// In object order, where that pays.
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
@@ -82,7 +95,7 @@ class VolumeSurface final : public Surface {
   std::vector<std::shared_ptr<const IsoMasks>> masks_;  // one for each iso-value
   Isa isa_;
   NormalKind normals_;
-  bool walk_;
+  RayOrder order_;
 };
 
 /// The threshold of an iso-value in stored units: a sample s lies below it (s < key) exactly where the corner

@@ -1,6 +1,5 @@
 #include <isocast/apps/bench/frames.h>
 #include <isocast/apps/bench/random.h>
-#include <isocast/apps/bench/walked_surface.h>
 #include <isocast/base/interrupt.h>
 #include <isocast/base/progress.h>
 #include <isocast/data_gen/sample.h>
@@ -127,8 +126,7 @@ class FrameRun {
       : source_(source),
         options_(options),
         volume_(sampled(source, samples, type)),
-        surface_(volume_, with_iso(source.iso)),
-        walked_(surface_) {
+        surface_(volume_, with_iso(source.iso)) {
     solve_ =
         solve_seconds(*volume_, (source.iso - volume_->intercept) / volume_->slope, with_iso(source.iso));
   }
@@ -143,16 +141,17 @@ class FrameRun {
     times.in_object_order = surface_.primary(view) != nullptr;
     RenderCounts counts;
     (void)frame_seconds(surface_, view, counts);  // makes the masks
-    times.frame = times.moving = times.walk = times.binning = times.hits =
+    times.frame = times.moving = times.streams = times.walk = times.shadows = times.binning = times.hits =
         std::numeric_limits<double>::infinity();
     for (int i = 0; i < options_.repetitions; ++i) {
       throw_if_interrupted();
       times.frame = std::min(times.frame, frame_seconds(surface_, view, counts));
       pass_seconds(view, times);
-      if (i < 2) {
-        RenderCounts ignored;
-        times.walk = std::min(times.walk, frame_seconds(walked_, view, ignored));
-      }
+      RenderCounts other;
+      times.streams = std::min(times.streams, ordered_seconds(RayOrder::streams, view));
+      if (i < 2) times.walk = std::min(times.walk, ordered_seconds(RayOrder::walk, view));
+      times.shadows = std::min(times.shadows, frame_seconds(surface_, view, other, true));
+      times.shadow_rays = other.shadow;
     }
     for (int i = 0; i < options_.repetitions; ++i) {
       surface_.set_options(with_iso(source_.iso + 1e-5 * (i + 1)));
@@ -175,8 +174,21 @@ class FrameRun {
     return options;
   }
 
-  double frame_seconds(const Surface& surface, const View& view, RenderCounts& counts) const {
+  double ordered_seconds(RayOrder order, const View& view) {
+    VolumeSurfaceOptions options = with_iso(source_.iso);
+    options.order = order;
+    surface_.set_options(options);
+    RenderCounts ignored;
+    const double seconds = frame_seconds(surface_, view, ignored);
+    surface_.set_options(with_iso(source_.iso));
+    return seconds;
+  }
+
+  static double frame_seconds(const Surface& surface, const View& view, RenderCounts& counts,
+                              bool shadows = false) {
     Scene scene;
+    if (shadows) scene.lights = {{1, 2, 3}};
+    scene.shadows = shadows;
     scene.objects.push_back({{std::shared_ptr<const Surface>(), &surface}, {{}}});
     Film film(view.width(), view.height(), {});
     return seconds_of([&] { counts = render(scene, view, {}, film); });
@@ -202,7 +214,6 @@ class FrameRun {
   const FrameOptions& options_;
   std::shared_ptr<const Volume> volume_;
   VolumeSurface surface_;
-  WalkedSurface walked_;
   double solve_;
 };
 

@@ -18,7 +18,8 @@ struct FrameOptions {
 /// One volume before one camera. Seconds of wall time on one thread, the least of the repetitions:
 ///
 /// frame    with shading by the headlight; moving: with an iso-value that no frame has had before
-/// walk     the same frame when first_hit finds its rays
+/// streams  the same frame when its primary rays are traced as all others are; walk: one after the other
+/// shadows  the frame with one directional light and hard shadows
 /// binning  Surface::primary: bricks are projected and sorted into patches
 /// hits     the pass alone, its masks there already
 /// solves   what as many packets of the volume's cells take as there were in the frame, and nothing else
@@ -26,8 +27,8 @@ struct FrameTimes {
   std::string volume, camera, type;
   int samples = 0;
   bool in_object_order = true;
-  double frame = 0, moving = 0, walk = 0, binning = 0, hits = 0, solves = 0;
-  std::int64_t rays = 0, hit_rays = 0, cells = 0, solved = 0;
+  double frame = 0, moving = 0, streams = 0, walk = 0, shadows = 0, binning = 0, hits = 0, solves = 0;
+  std::int64_t rays = 0, hit_rays = 0, shadow_rays = 0, cells = 0, solved = 0;
 
   /// What masks cost where all are new.
   [[nodiscard]] double masks() const { return moving > frame ? moving - frame : 0; }
@@ -36,7 +37,8 @@ struct FrameTimes {
 /// Test volumes of every size, as f32 and u8, from outside, close up and from inside.
 [[nodiscard]] std::vector<FrameTimes> run_frames(const FrameOptions& options);
 
-/// Three rows a frame: method "object order", "new iso-value" or "walk", setting the camera.
+/// Five rows a frame: method "object order", "new iso-value", "streams", "walk" or "with shadows", setting the
+/// camera.
 [[nodiscard]] std::vector<Row> rows_of(const std::vector<FrameTimes>& frames);
 /// A line per frame, and a header.
 [[nodiscard]] std::string frames_csv(const std::vector<FrameTimes>& frames);

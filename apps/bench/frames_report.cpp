@@ -33,38 +33,45 @@ Row row_of(const FrameTimes& frame, const char* way, double seconds) {
 std::vector<Row> rows_of(const std::vector<FrameTimes>& frames) {
   std::vector<Row> rows;
   for (const FrameTimes& frame : frames) {
-    rows.push_back(row_of(frame, frame.in_object_order ? "object order" : "walk, chosen", frame.frame));
+    rows.push_back(row_of(frame, frame.in_object_order ? "object order" : "streams, chosen", frame.frame));
     rows.push_back(row_of(frame, "new iso-value", frame.moving));
+    rows.push_back(row_of(frame, "streams", frame.streams));
     rows.push_back(row_of(frame, "walk", frame.walk));
+    rows.push_back(row_of(frame, "with shadows", frame.shadows));
   }
   return rows;
 }
 
 std::string frames_csv(const std::vector<FrameTimes>& frames) {
   std::string text =
-      "volume,samples,type,camera,object_order,rays,hits,cells,solves,ms_frame,ms_new_iso,ms_walk,ms_masks,"
-      "ms_binning,ms_cells,ms_solves,mrays_per_s,walk_over_frame,new_iso_over_frame,frame_over_solves\n";
+      "volume,samples,type,camera,object_order,rays,hits,cells,solves,ms_frame,ms_new_iso,ms_streams,ms_walk,"
+      "ms_shadows,ms_masks,"
+      "ms_binning,ms_cells,ms_solves,mrays_per_s,walk_over_frame,new_iso_over_frame,frame_over_solves,shadow_"
+      "rays\n";
   for (const FrameTimes& f : frames) {
-    const double hits = f.in_object_order ? f.hits : f.walk;
+    const double hits = f.in_object_order ? f.hits : f.streams;
     text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.2f},{:.2f},{:.2f},{:."
-        "2f}\n",
+        "{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.2f},{:."
+        "2f},{:.2f},{:.2f},{}\n",
         f.volume, f.samples, f.type, f.camera, int(f.in_object_order), f.rays, f.hit_rays, f.cells, f.solved,
-        1e3 * f.frame, 1e3 * f.moving, 1e3 * f.walk, 1e3 * f.masks(), 1e3 * f.binning,
-        1e3 * std::max(hits - f.solves, 0.0), 1e3 * f.solves, 1e-6 * double(f.rays) / f.frame,
-        f.walk / f.frame, f.moving / f.frame, f.frame / f.solves);
+        1e3 * f.frame, 1e3 * f.moving, 1e3 * f.streams, 1e3 * f.walk, 1e3 * f.shadows, 1e3 * f.masks(),
+        1e3 * f.binning, 1e3 * std::max(hits - f.solves, 0.0), 1e3 * f.solves,
+        1e-6 * double(f.rays) / f.frame, f.walk / f.frame, f.moving / f.frame, f.frame / f.solves,
+        f.shadow_rays);
   }
   return text;
 }
 
 std::string frames_summary(const std::vector<FrameTimes>& frames) {
-  std::string text = fmt::format("{:<24} {:<9} {:>9} {:>9} {:>9} {:>13}\n", "volume", "camera", "Mrays/s",
-                                 "walk/frame", "new iso", "frame/solves");
+  std::string text =
+      fmt::format("{:<24} {:<9} {:>9} {:>10} {:>13} {:>9} {:>13} {:>13}\n", "volume", "camera", "Mrays/s",
+                  "walk/frame", "streams/frame", "new iso", "shadow rays", "frame/solves");
   for (const FrameTimes& f : frames)
-    text += fmt::format("{:<24} {:<9} {:>9.2f} {:>9.2f}x {:>8.2f}x {:>12.1f}x{}\n",
+    text += fmt::format("{:<24} {:<9} {:>9.2f} {:>9.2f}x {:>12.2f}x {:>8.2f}x {:>12.2f}x {:>12.1f}x{}\n",
                         fmt::format("{} {} {}", f.volume, f.samples, f.type), f.camera,
-                        1e-6 * double(f.rays) / f.frame, f.walk / f.frame, f.moving / f.frame,
-                        f.frame / f.solves, f.in_object_order ? "" : "  (walk chosen)");
+                        1e-6 * double(f.rays) / f.frame, f.walk / f.frame, f.streams / f.frame,
+                        f.moving / f.frame, (f.shadows - f.frame) / f.frame, f.frame / f.solves,
+                        f.in_object_order ? "" : "  (streams chosen)");
   return text;
 }
 

@@ -40,10 +40,12 @@ int main(int argc, char** argv) try {
   app.require_subcommand(1);
   // verbs, in the order of --help
   isocast::verbs::add_render(app);
+  isocast::verbs::add_view(app);
   isocast::verbs::add_methods(app);
   isocast::verbs::add_sample(app);
   isocast::verbs::add_info(app);
   isocast::verbs::add_surfaces(app);
+  isocast::verbs::add_schema(app);
   isocast::verbs::add_probe(app);
   isocast::verbs::add_bench(app);
   isocast::verbs::add_compare(app);

@@ -5,6 +5,7 @@
 #include <isocast/apps/isocast/scene_options.h>
 #include <isocast/apps/isocast/verbs.h>
 #include <isocast/apps/scene_build/applicable_methods.h>
+#include <isocast/apps/scene_build/scene_file.h>
 #include <isocast/base/error.h>
 #include <isocast/base/mapped_file.h>
 
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 namespace isocast::verbs {
@@ -120,6 +122,17 @@ void print(const Probe& probe, const std::vector<double>& iso, const char* unit)
   }
 }
 
+// An object of a scene alone, without its clip solids, of which the reference knows nothing.
+ObjectDescription probed(ObjectDescription object) {
+  if (!std::holds_alternative<VolumeSource>(object.source) &&
+      !std::holds_alternative<FormulaSource>(object.source))
+    throw InputError(
+        fmt::format("probe: found the object '{}' there, expected a volume or a formula", object.name));
+  object.clips.clear();
+  object.color_by.reset();
+  return object;
+}
+
 void run(const ProbeWords& words) {
   SceneDescription description = describe(words.scene);
   const auto [width, height] = size_of(words.scene, description);
@@ -127,10 +140,18 @@ void run(const ProbeWords& words) {
   const std::vector<double> iso =
       words.scene.iso.empty() ? std::vector<double>() : parse_numbers(words.scene.iso, "--iso");
   if (!iso.empty()) description.objects.front().iso = iso;
-  const std::vector<ProbeMethod> methods = methods_of(description.objects.front());
   const Isa isa = isa_from_name(words.scene.isa);
+  std::optional<View> scene_view;
+  if (is_scene_file(words.scene.input)) {
+    const BuiltScene all = build_scene(description, {isa, false});
+    scene_view.emplace(frame(all.scene.bounds(), description.camera, double(width) / height), width, height);
+    description.objects = {probed(description.objects[object_at(all, *scene_view, pixel[0], pixel[1])])};
+  }
+  const std::vector<ProbeMethod> methods = methods_of(description.objects.front());
   const BuiltScene built = build_scene(description, {isa, false});
-  const View view(frame(built.scene.bounds(), description.camera, double(width) / height), width, height);
+  const View view = scene_view ? *scene_view
+                               : View(frame(built.scene.bounds(), description.camera, double(width) / height),
+                                      width, height);
   const Probe probe = probe_ray(description, built, view, pixel[0], pixel[1], methods, isa);
   check_mapped_files();
 

@@ -54,6 +54,11 @@ double seconds_of(OneRay& ray, const Surface& surface) {
   return bench::time_interleaved({repeated(times)}, kRuns, bench::Clock::thread)[0].seconds / times;
 }
 
+// Beyond this t there is nothing; directions have unit length.
+double reach(const Box& bounds, const RayStream& rays) {
+  return length(bounds.center() - Double3{rays.ox[0], rays.oy[0], rays.oz[0]}) + bounds.diagonal();
+}
+
 // Whether the reference knows the first crossing: no doubt lies before it.
 bool is_known(const reference::RayTruth& truth) {
   const reference::RayRoot* const first = bench::first_crossing(truth);
@@ -88,17 +93,35 @@ std::string contradiction_of(const reference::RayTruth& truth, Certificate certi
   return fmt::format("a root between {:.17g} and {:.17g} is proved, but there is none", t_lo, t_hi);
 }
 
+std::size_t object_at(const BuiltScene& built, const View& view, int x, int y) {
+  const auto ray = std::make_unique<OneRay>(view, x, y);
+  TraceCounts counts;
+  for (const SceneObject& object : built.scene.objects)
+    object.surface->first_hit(ray->rays, ray->hits, counts);
+  for (std::size_t i = 0; i < built.objects.size() && is_hit(ray->hits, 0); ++i) {
+    const BuiltObject& object = built.objects[i];
+    if (ray->hits.object[0] >= object.place && ray->hits.object[0] < object.place + object.count) return i;
+  }
+  return 0;
+}
+
 Probe probe_ray(const SceneDescription& description, const BuiltScene& built, const View& view, int x, int y,
                 const std::vector<ProbeMethod>& methods, Isa isa) {
   const auto ray = std::make_unique<OneRay>(view, x, y);
   const RayStream& rays = ray->rays;
   Probe probe{{rays.ox[0], rays.oy[0], rays.oz[0]}, {rays.dx[0], rays.dy[0], rays.dz[0]}, 0, {}, {}};
+  const ObjectDescription& object = description.objects.front();
+  if (std::holds_alternative<FormulaSource>(object.source)) {
+    // into the space of the formula, as its surface does
+    const Transform own_from_world = object.place.inverse();
+    probe.origin = own_from_world.point(probe.origin);
+    probe.direction = own_from_world.vector(probe.direction);
+  }
   const auto reference = reference::make_reference(description, built);
   const Box bounds = built.scene.bounds();
   probe.unit = reference->unit();
   if (!bounds.empty())  // else there is nothing
-    probe.truth = reference->solve(probe.origin, probe.direction, 0,
-                                   length(bounds.center() - probe.origin) + bounds.diagonal());
+    probe.truth = reference->solve(probe.origin, probe.direction, 0, reach(bounds, rays));
 
   const Surface& surface = *built.scene.objects.front().surface;
   const reference::RayRoot* const first = bench::first_crossing(probe.truth);

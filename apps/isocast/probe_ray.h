@@ -45,7 +45,12 @@ struct Probe {
   std::vector<ProbeAnswer> answers;
 };
 
-/// The ray through the centre of pixel (x, y), with each of the methods in float and double.
+/// The object of a scene's description that the ray through the centre of pixel (x, y) hits first, by number;
+/// 0 where it hits nothing.
+[[nodiscard]] std::size_t object_at(const BuiltScene& built, const View& view, int x, int y);
+
+/// The ray through the centre of pixel (x, y) to the scene's only object, a volume or a formula, with each of
+/// the methods in float and double.
 [[nodiscard]] Probe probe_ray(const SceneDescription& description, const BuiltScene& built, const View& view,
                               int x, int y, const std::vector<ProbeMethod>& methods, Isa isa);
 

@@ -5,6 +5,8 @@
 #include <isocast/base/error.h>
 #include <isocast/volume/io/type_words.h>
 
+#include <algorithm>
+
 namespace isocast {
 namespace {
 
@@ -142,12 +144,16 @@ class ObjectReader {
     return at(key, [&] { return transform_of(placement); });
   }
 
-  [[nodiscard]] static MaterialDescription read_material(const SceneJson& value) {
+  [[nodiscard]] MaterialDescription read_material(const SceneJson& value) const {
     MaterialDescription material;
     if (value.contains("color")) {
       const SceneJson& color = value["color"];
-      const bool one = color.is_string() || color[0].is_number();
-      if (one) material.colors = {color_from_json(color)};
+      const auto numbers = color.is_string() ? 0 : std::ranges::count_if(color, [](const SceneJson& each) {
+        return each.is_number();
+      });
+      if (numbers != 0 && (numbers != 3 || color.size() != 3))
+        fail(path_ + ".material.color", "expected [r, g, b], \"#rrggbb\" or a list of these");
+      if (color.is_string() || numbers == 3) material.colors = {color_from_json(color)};
       else
         for (const SceneJson& each : color) material.colors.push_back(color_from_json(each));
     }

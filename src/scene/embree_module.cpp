@@ -121,6 +121,8 @@ class EmbreeTree final : public BoxTree {
   // A ray in Embree's space from where it enters the scene; false where it does not.
   bool enter(const RayStream& rays, int i, int l, Query& query, RTCRay16& ray) const {
     const double o[3] = {rays.ox[i], rays.oy[i], rays.oz[i]}, d[3] = {rays.dx[i], rays.dy[i], rays.dz[i]};
+    const double largest = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+    if (!(largest > 0 && largest < INFINITY)) return false;
     double near = rays.t_min[i], far = std::min(rays.t_max[i], query.ends[i]), length2 = 0;
     for (int a = 0; a < 3; ++a) {
       const double room = 4 * kRoom / scale_ + 0x1p-42 * std::abs(o[a]), k = 1 / d[a],
@@ -128,16 +130,17 @@ class EmbreeTree final : public BoxTree {
       const double in = k < 0 ? hi : lo, out = k < 0 ? lo : hi;
       if (in > near) near = in;
       if (out < far) far = out;
-      length2 += (d[a] * scale_) * (d[a] * scale_);
+      length2 += (d[a] / largest) * (d[a] / largest);
     }
     if (!(near <= far)) return false;
+    const double length = std::sqrt(length2);
     query.begin[l] = near;
-    query.length[l] = std::sqrt(length2);
+    query.length[l] = largest * scale_ * length;
     float* const to_o[3] = {ray.org_x, ray.org_y, ray.org_z};
     float* const to_d[3] = {ray.dir_x, ray.dir_y, ray.dir_z};
     for (int a = 0; a < 3; ++a) {
       to_o[a][l] = static_cast<float>((o[a] - center_[a] + near * d[a]) * scale_);
-      to_d[a][l] = static_cast<float>(d[a] * scale_ / query.length[l]);
+      to_d[a][l] = static_cast<float>(d[a] / largest / length);
     }
     ray.tnear[l] = 0;
     ray.tfar[l] = query.end_of(l);

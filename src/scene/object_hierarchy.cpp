@@ -1,40 +1,10 @@
 #include <isocast/scene/object_hierarchy.h>
+#include <isocast/scene/packet_asker.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace isocast {
 namespace {
-
-// Which candidates a packet was taken to, so that none comes twice. One per thread, for any hierarchy.
-class Visited {
- public:
-  explicit Visited(std::size_t objects) {
-    if (last_.size() < objects) last_.resize(objects, 0);
-  }
-  void next_packet() { ++now_; }
-  // True the first time in a packet.
-  bool enter(std::uint32_t object) { return std::exchange(last_[object], now_) != now_; }
-
- private:
-  static thread_local std::vector<std::uint64_t> last_;
-  static thread_local std::uint64_t now_;
-};
-thread_local std::vector<std::uint64_t> Visited::last_;
-thread_local std::uint64_t Visited::now_ = 0;
-
-// The packet of a stream that begins at a slot, as a stream of its own.
-void copy_packet(const RayStream& rays, int first, RayStream& packet) {
-  const int size = std::min(kPacketSize, rays.size - first);
-  const auto copy = [&](const auto& from, auto& to) { std::copy_n(from + first, size, to); };
-  copy(rays.ox, packet.ox), copy(rays.oy, packet.oy), copy(rays.oz, packet.oz);
-  copy(rays.dx, packet.dx), copy(rays.dy, packet.dy), copy(rays.dz, packet.dz);
-  copy(rays.t_min, packet.t_min), copy(rays.t_max, packet.t_max);
-  copy(rays.u, packet.u), copy(rays.v, packet.v), copy(rays.id, packet.id);
-  copy(rays.start_sides, packet.start_sides), copy(rays.start_object, packet.start_object);
-  packet.size = size;
-  packet.kind = rays.kind == RayKind::primary ? RayKind::reflection : rays.kind;  // no tile of a view
-}
 
 void move_slot(const HitStream& from, int i, HitStream& to, int k) {
   to.t[k] = from.t[i], to.t_lo[k] = from.t_lo[i], to.t_hi[k] = from.t_hi[i];
@@ -44,120 +14,78 @@ void move_slot(const HitStream& from, int i, HitStream& to, int k) {
   to.certificate[k] = from.certificate[i];
 }
 
-// Where a ray enters a box; in front of it at most by roundings.
-double entry(const RayStream& rays, int i, const Box& box) {
-  const double o[3] = {rays.ox[i], rays.oy[i], rays.oz[i]}, d[3] = {rays.dx[i], rays.dy[i], rays.dz[i]};
-  double near = rays.t_min[i];
-  for (int a = 0; a < 3; ++a) {
-    const double in = ((d[a] < 0 ? box.hi[a] : box.lo[a]) - o[a]) / d[a];
-    if (in > near) near = in;
-  }
-  return near;
-}
-
-// What walks the tree: candidates of one packet after the other.
-class PacketVisitor : public BoxVisitor {
- public:
-  PacketVisitor(const RayStream& rays, std::size_t objects) : rays_(rays), visited_(objects) {}
-
-  void visit(std::uint32_t object, int first, std::uint32_t /*lanes*/) final {
-    if (first != first_) {
-      visited_.next_packet();
-      first_ = first;
-      fresh_ = false;
-    }
-    if (!visited_.enter(object)) return;
-    if (!fresh_) copy_packet(rays_, first, packet_);
-    fresh_ = true;
-    look_at(object, first);
-  }
-
- protected:
-  virtual void look_at(std::uint32_t object, int first) = 0;
-
-  const RayStream& rays_;
-  RayStream packet_;
-
- private:
-  Visited visited_;
-  int first_ = -1;
-  bool fresh_ = false;
-};
-
-class FirstHits final : public PacketVisitor {
+class FirstHits final : public PacketAsker {
  public:
   FirstHits(const std::vector<const Surface*>& surfaces, const std::vector<Box>& boxes,
             std::span<const std::uint8_t> skip, const RayStream& rays, HitStream& hits, TraceCounts& counts)
-      : PacketVisitor(rays, surfaces.size()),
-        surfaces_(surfaces),
-        boxes_(boxes),
-        skip_(skip),
-        hits_(hits),
-        counts_(counts) {
-    for (int i = 0; i < rays.size; ++i) ends_[i] = hits.t[i], doubt_[i] = Box::inf;
+      : PacketAsker(surfaces, boxes, rays), skip_(skip), hits_(hits), counts_(counts) {
+    for (int i = 0; i < rays.size; ++i) ends_[i] = hits.t[i], doubt_[i] = unproved_[i] = Box::inf;
   }
-  [[nodiscard]] const double (&ends() const)[kStreamSize] { return ends_; }
 
-  // Doubts before the hit.
+  // Doubts before the hit, and objects there that prove nothing.
   void tell_doubts() {
-    for (int i = 0; i < rays_.size; ++i)
-      if (doubt_[i] <= hits_.t[i] && doubt_[i] < Box::inf) hits_.certificate[i] = Certificate::undecided;
+    for (int i = 0; i < rays_.size; ++i) {
+      Certificate& certificate = hits_.certificate[i];
+      if (doubt_[i] <= hits_.t[i] && doubt_[i] < Box::inf) certificate = Certificate::undecided;
+      if (certificate == Certificate::proved_hit && unproved_[i] < hits_.t[i])
+        certificate = Certificate::no_proof;
+    }
   }
 
  private:
-  void look_at(std::uint32_t object, int first) override {
-    if (!skip_.empty() && skip_[object]) return;
+  void look_at(std::uint32_t object) override {
     const Surface& surface = *surfaces_[object];
+    const RayStream& rays = some_.rays;
+    const Box& box = boxes_[object];
+    if (!surface.proves())
+      for (int n = 0; n < rays.size; ++n)
+        unproved_[some_.slots[n]] = std::min(unproved_[some_.slots[n]], entry(rays, n, box));
+    if (!skip_.empty() && skip_[object]) return;
     const Certificate nothing = surface.proves() ? Certificate::proved_miss : Certificate::no_proof;
-    for (int l = 0; l < packet_.size; ++l) {
-      forget(found_, l);
-      found_.cost[l] = 0;
-      found_.certificate[l] = nothing;
+    for (int n = 0; n < rays.size; ++n) {
+      forget(found_, n);
+      found_.cost[n] = 0;
+      found_.certificate[n] = nothing;
     }
-    surface.first_hit(packet_, found_, counts_);
-    for (int l = 0; l < packet_.size; ++l) {
-      const int i = first + l;
-      hits_.cost[i] += found_.cost[l];
-      if (found_.certificate[l] == Certificate::undecided)
-        doubt_[i] = std::min(doubt_[i], entry(rays_, i, boxes_[object]));
-      const bool nearer = found_.t[l] < hits_.t[i] || (found_.t[l] == hits_.t[i] && is_hit(found_, l) &&
-                                                       found_.object[l] < hits_.object[i]);
+    surface.first_hit(rays, found_, counts_);
+    for (int n = 0; n < rays.size; ++n) {
+      const int i = some_.slots[n];
+      hits_.cost[i] += found_.cost[n];
+      if (found_.certificate[n] == Certificate::undecided)
+        doubt_[i] = std::min(doubt_[i], entry(rays, n, box));
+      const bool nearer = found_.t[n] < hits_.t[i] || (found_.t[n] == hits_.t[i] && is_hit(found_, n) &&
+                                                       found_.object[n] < hits_.object[i]);
       if (!nearer) continue;
-      move_slot(found_, l, hits_, i);
+      move_slot(found_, n, hits_, i);
       ends_[i] = hits_.t[i];
     }
   }
 
-  const std::vector<const Surface*>& surfaces_;
-  const std::vector<Box>& boxes_;
   std::span<const std::uint8_t> skip_;
   HitStream& hits_;
   TraceCounts& counts_;
   HitStream found_;
-  double ends_[kStreamSize], doubt_[kStreamSize];
+  double doubt_[kStreamSize], unproved_[kStreamSize];
 };
 
-class AnyHits final : public PacketVisitor {
+class AnyHits final : public PacketAsker {
  public:
-  AnyHits(const std::vector<const Surface*>& surfaces, const RayStream& rays, bool (&hit)[kStreamSize],
-          TraceCounts& counts)
-      : PacketVisitor(rays, surfaces.size()), surfaces_(surfaces), hit_(hit), counts_(counts) {
+  AnyHits(const std::vector<const Surface*>& surfaces, const std::vector<Box>& boxes, const RayStream& rays,
+          bool (&hit)[kStreamSize], TraceCounts& counts)
+      : PacketAsker(surfaces, boxes, rays), hit_(hit), counts_(counts) {
     for (int i = 0; i < rays.size; ++i) ends_[i] = hit[i] ? -Box::inf : Box::inf;
   }
-  [[nodiscard]] const double (&ends() const)[kStreamSize] { return ends_; }
 
  private:
-  void look_at(std::uint32_t object, int first) override {
+  void look_at(std::uint32_t object) override {
     bool found[kStreamSize] = {};
-    surfaces_[object]->any_hit(packet_, found, counts_);
-    for (int l = 0; l < packet_.size; ++l)
-      if (found[l]) hit_[first + l] = true, ends_[first + l] = -Box::inf;
+    surfaces_[object]->any_hit(some_.rays, found, counts_);
+    for (int n = 0; n < some_.rays.size; ++n)
+      if (found[n]) hit_[some_.slots[n]] = true, ends_[some_.slots[n]] = -Box::inf;
   }
 
-  const std::vector<const Surface*>& surfaces_;
   bool (&hit_)[kStreamSize];
   TraceCounts& counts_;
-  double ends_[kStreamSize];
 };
 
 class Candidates final : public BoxVisitor {
@@ -188,14 +116,13 @@ ObjectHierarchy::ObjectHierarchy(const Scene& scene) {
 
 void ObjectHierarchy::first_hit(const RayStream& rays, std::span<const std::uint8_t> skip, HitStream& hits,
                                 TraceCounts& counts) const {
-  FirstHits visitor(surfaces_, boxes_, skip, rays, hits, counts);
-  tree_->visit(rays, visitor.ends(), visitor);
-  visitor.tell_doubts();
+  FirstHits asker(surfaces_, boxes_, skip, rays, hits, counts);
+  asker.ask(*tree_);
+  asker.tell_doubts();
 }
 
 void ObjectHierarchy::any_hit(const RayStream& rays, bool (&hit)[kStreamSize], TraceCounts& counts) const {
-  AnyHits visitor(surfaces_, rays, hit, counts);
-  tree_->visit(rays, visitor.ends(), visitor);
+  AnyHits(surfaces_, boxes_, rays, hit, counts).ask(*tree_);
 }
 
 void ObjectHierarchy::find_candidates(const RayStream& rays, std::vector<std::uint16_t>& objects) const {

@@ -82,6 +82,31 @@ expect 2 "no grid 'density', only 'tangle' ('float')" render tangle.vdb --grid d
 expect 2 "no grid 'density', only 'tangle' (float)" render tangle.nvdb --grid density -o a.png
 expect 2 "need an .exr file" render tangle.nrrd -o a.png --aov depth
 expect 2 "the method marmitt proves nothing" render tangle.nrrd -o a.exr --aov certificate
+cat >scene.json <<'SCENE'
+// two objects, two cameras
+{ "isocast": 1, "size": [32, 24], "cameras": {"a": {}, "b": {"position": [0, -9, 0]}},
+  "objects": [{"name": "v", "type": "volume", "file": "tangle.nrrd", "iso": 0, "transform": {"translate": [5, 0, 0]}},
+              {"name": "f", "type": "formula", "expr": "x^2+y^2+z^2-0.5+w"}],
+  "animation": {"frames": [1, 2], "keys": [{"frame": 0, "time": 0}, {"frame": 2, "time": 0.4}]} }
+SCENE
+cat >one.json <<'SCENE'
+{ "isocast": 1, "objects": [{"type": "formula", "expr": "x^2+y^2+z^2-0.5", "transform": {"scale": 2}}] }
+SCENE
+expect 0 '"objects": [' render scene.json -o scene.png --stats -
+expect 0 '"objects": [' render scene.json -o scene.png --stats - --camera b --size 16x16
+expect 0 "module:embree" render one.json -o one.png --stats - --size 16x16 --method certified --iso 0.1 --colors "#ff0000"
+expect 0 "right" probe scene.json --pixel 16,12
+expect 0 "right" probe one.json --pixel 512,512
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n' >corner.obj
+expect 0 '"triangles:4"' render corner.obj -o corner.png --size 32x32 --stats -
+expect 2 "found options of volumes or formulas for the mesh corner.obj" render corner.obj -o a.png --iso 3
+sed 's/f 1 3 2/f 1 3 9/' corner.obj >bad.obj
+expect 2 "bad.obj:5: found the vertex 9, expected one of the 4 so far" render bad.obj -o a.png
+expect 2 "no camera has the name 'c', expected one of: a, b" render scene.json -o a.png --camera c
+expect 2 "found --method for scene.json, a scene of several objects: expected the key 'method'" render scene.json -o a.png --method affine
+expect 2 "found --param for scene.json, a scene: expected the key 'params'" render scene.json -o a.png --param a=1
+expect 2 "No such file" render none.json -o a.png
+
 expect 2 "midpoint, linear, neubauer, schwarze, marmitt" render tangle.nrrd -o a.png --method newton
 expect 2 "no option 'eps'" render tangle.nrrd -o a.png --set eps=1
 expect 2 "no CUDA part" render tangle.nrrd -o a.png --isa cuda

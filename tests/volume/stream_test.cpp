@@ -90,7 +90,7 @@ std::int64_t compare(std::mt19937_64& random, const VolumeSurface& walk, const V
 std::int64_t compare(std::mt19937_64& random, const std::shared_ptr<Volume>& volume, const Box& near,
                      VolumeSurfaceOptions options) {
   const VolumeSurface stream(volume, options);
-  options.walk = true;
+  options.order = RayOrder::walk;
   const VolumeSurface walk(volume, options);
   const std::unique_ptr<Streams> asked = make_streams();
   fill(random, near.empty() ? walk.bounds() : near, *asked);

@@ -67,6 +67,17 @@ std::size_t MeshSurface::bytes() const {
 // The nearest triangle behind the places that are given, of every ray of a stream.
 class MeshSurface::Search final : public BoxVisitor {
  public:
+  // The order of crossings: at the same t first those that enter, then by number.
+  struct Place {
+    double t;
+    bool leaves;
+    std::uint32_t triangle;
+    bool operator<(const Place& other) const {
+      if (t != other.t) return t < other.t;
+      return leaves != other.leaves ? other.leaves : triangle < other.triangle;
+    }
+  };
+
   Search(const MeshSurface& surface, const RayStream& rays) : surface_(surface), rays_(rays) {
     double reach = 0;
     for (int a = 0; a < 3; ++a)
@@ -76,14 +87,14 @@ class MeshSurface::Search final : public BoxVisitor {
                    d = std::max({std::abs(rays.dx[i]), std::abs(rays.dy[i]), std::abs(rays.dz[i])});
       slack_[i] = 0x1p-44 * o / d;
       ends_[i] = Box::inf;
-      after_[i] = -Box::inf;
-      triangle_[i] = 0;
+      best_[i] = {Box::inf, false, 0};
+      after_[i] = {-Box::inf, false, 0};
     }
   }
 
-  // Looks only at what comes behind: a place along the ray, and there triangles of higher numbers.
-  void continue_from(int i, double t, std::uint32_t triangle) { after_[i] = t, behind_[i] = triangle; }
-  void leave_out(int i) { ends_[i] = -Box::inf; }
+  // Looks only at what comes behind.
+  void continue_from(int i, const Place& place) { after_[i] = place; }
+  void leave_out(int i) { ends_[i] = best_[i].t = -Box::inf; }
   void stop_at_any() { any_ = true; }
 
   void run() { surface_.tree_->visit(rays_, ends_, *this); }
@@ -94,9 +105,9 @@ class MeshSurface::Search final : public BoxVisitor {
     hits.t[i] = ends_[i];
     hits.t_lo[i] = ends_[i] - slack_[i], hits.t_hi[i] = ends_[i] + slack_[i];
     hits.s[i] = u_[i], hits.s_hi[i] = v_[i];
-    hits.cell[0][i] = static_cast<std::int32_t>(triangle_[i]);
+    hits.cell[0][i] = static_cast<std::int32_t>(best_[i].triangle);
     hits.cell[1][i] = hits.cell[2][i] = 0;
-    hits.sides[i] = enters_[i] ? 0 : 1;
+    hits.sides[i] = best_[i].leaves ? 1 : 0;
     hits.iso[i] = 0;
     hits.object[i] = surface_.object_;
     hits.certificate[i] = Certificate::no_proof;
@@ -126,14 +137,12 @@ class MeshSurface::Search final : public BoxVisitor {
     ++solves_;
     const std::optional<TriangleHit> hit = hit_triangle(packet_, lane, at(0), at(1), at(2));
     if (!hit || !(hit->t >= rays_.t_min[i] && hit->t <= rays_.t_max[i])) return;
-    const bool behind = hit->t > after_[i] || (hit->t == after_[i] && triangle > behind_[i]);
-    const bool nearer = hit->t < ends_[i] || (found_[i] && hit->t == ends_[i] && triangle < triangle_[i]);
-    if (!behind || !nearer || is_start(i, *hit)) return;
+    const Place place = {hit->t, !hit->enters, triangle};
+    if (!(after_[i] < place) || !(place < best_[i]) || is_start(i, *hit)) return;
     ends_[i] = any_ ? -Box::inf : hit->t;
+    best_[i] = any_ ? Place{-Box::inf, false, 0} : place;
     found_[i] = true;
-    triangle_[i] = triangle;
     u_[i] = hit->u, v_[i] = hit->v;
-    enters_[i] = hit->enters;
   }
   // The surface that the ray starts on, seen again by roundings: it would lead to the side where it is
   // already.
@@ -147,9 +156,10 @@ class MeshSurface::Search final : public BoxVisitor {
   ProjectedPacket packet_;
   int first_ = -1;
   bool any_ = false;
-  double slack_[kStreamSize], ends_[kStreamSize], after_[kStreamSize], u_[kStreamSize], v_[kStreamSize];
-  std::uint32_t triangle_[kStreamSize], behind_[kStreamSize], cost_[kStreamSize] = {};
-  bool found_[kStreamSize] = {}, enters_[kStreamSize];
+  double slack_[kStreamSize], ends_[kStreamSize], u_[kStreamSize], v_[kStreamSize];
+  Place best_[kStreamSize], after_[kStreamSize];
+  std::uint32_t cost_[kStreamSize] = {};
+  bool found_[kStreamSize] = {};
   std::int64_t solves_ = 0;
 };
 
@@ -169,7 +179,8 @@ void MeshSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& 
   Search search(*this, rays);
   for (int i = 0; i < rays.size; ++i) {
     const bool mine = hits.object[i] == object_ && is_hit(hits, i);
-    if (mine) search.continue_from(i, hits.t[i], static_cast<std::uint32_t>(hits.cell[0][i]));
+    if (mine)
+      search.continue_from(i, {hits.t[i], hits.sides[i] != 0, static_cast<std::uint32_t>(hits.cell[0][i])});
     else search.leave_out(i);
   }
   search.run();

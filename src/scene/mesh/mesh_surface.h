@@ -16,7 +16,8 @@ namespace isocast {
 ///
 /// sides    bit 0: the ray is inside in front of the hit, as the triangle's corners turn; sensible for closed
 ///          meshes whose triangles all turn alike
-/// hits     the nearest; of equally near ones the triangle with the lowest number. cell[0] is its number, s
+/// hits     the nearest; of equally near ones those that enter, then the triangle with the lowest number.
+/// cell[0] is its number, s
 ///          and s_hi the weights of its second and third corner
 /// proofs   none
 /// normals  of the vertices, interpolated, or the triangle's
