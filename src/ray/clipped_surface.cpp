@@ -23,12 +23,40 @@ void ClippedSurface::locate(const RayStream& rays, const HitStream& hits,
   }
 }
 
+// What lies behind the hits of `open`. A ray that follows the surface, undecided all the way, leaps as far as
+// it has followed it.
+void ClippedSurface::follow(const RayStream& rays, Stretches& stretches, HitStream& open,
+                            TraceCounts& counts) const {
+  constexpr int kPatience = 4;
+  const auto ahead = std::make_unique<RayStream>(rays);
+  HitStream leaping;
+  clear(leaping);
+  bool leaps = false;
+  for (int i = 0; i < rays.size; ++i) {
+    const bool doubtful = is_hit(open, i) && open.certificate[i] == Certificate::undecided;
+    if (doubtful && stretches.count[i] == 0) stretches.begin[i] = open.t_lo[i];
+    stretches.count[i] = doubtful ? stretches.count[i] + 1 : 0;
+    ahead->start_object[i] = kNoObject;
+    if (stretches.count[i] > kPatience) {
+      ahead->t_min[i] = 2 * open.t_hi[i] - stretches.begin[i];
+      open.t[i] = Box::inf;
+      leaps = true;
+    } else ahead->t_min[i] = 1, ahead->t_max[i] = 0;
+  }
+  surface_->next_hit(rays, open, counts);
+  if (!leaps) return;
+  surface_->first_hit(*ahead, leaping, counts);
+  for (int i = 0; i < rays.size; ++i)
+    if (is_hit(leaping, i)) copy_slot(leaping, open, i);
+}
+
 // Replaces every hit of this object by the first one from there on that lies inside.
 void ClippedSurface::pass_over(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   HitStream open = hits;  // the hits that are still to be located
   for (int i = 0; i < rays.size; ++i)
     if (open.object[i] != object_) forget(open, i);
   bool doubt[kStreamSize] = {};
+  Stretches stretches = {};
   const auto tell = [&](int i) {
     if (doubt[i] && proves()) open.certificate[i] = Certificate::undecided;
     copy_slot(open, hits, i);
@@ -52,7 +80,7 @@ void ClippedSurface::pass_over(const RayStream& rays, HitStream& hits, TraceCoun
     if (!any) return;
     bool asked[kStreamSize];
     for (int i = 0; i < rays.size; ++i) asked[i] = is_hit(open, i);
-    surface_->next_hit(rays, open, counts);
+    follow(rays, stretches, open, counts);
     for (int i = 0; i < rays.size; ++i) {
       if (!asked[i] || is_hit(open, i)) continue;
       // a hit that was passed over has left its certificate behind

@@ -15,7 +15,7 @@ constexpr std::uint32_t kSidesMask = (1u << kOperandShift) - 1;
 // on through it.
 struct CsgWalk::Event {
   int operand = -1;
-  bool any = false;
+  bool any = false, doubtful = false;
 };
 
 CsgWalk::CsgWalk(const CsgSurface& csg, const RayStream& rays, TraceCounts& counts)
@@ -26,7 +26,8 @@ CsgWalk::CsgWalk(const CsgSurface& csg, const RayStream& rays, TraceCounts& coun
       waiting_(std::make_unique_for_overwrite<HitStream[]>(csg.operands_.size())),
       sides_(std::make_unique_for_overwrite<std::uint32_t[][kStreamSize]>(csg.operands_.size())),
       taken_(std::make_unique<bool[][kStreamSize]>(csg.operands_.size())),
-      traced_(std::make_unique<bool[]>(csg.operands_.size())) {
+      traced_(std::make_unique<bool[]>(csg.operands_.size())),
+      stretches_(std::make_unique<Stretch[][kStreamSize]>(csg.operands_.size())) {
   for (int i = 0; i < rays.size; ++i)
     starts_here_ = starts_here_ || (rays.t_min[i] <= rays.t_max[i] && rays.start_object[i] == csg.object_);
   for (const bool boxes : {true, false})
@@ -163,9 +164,16 @@ CsgWalk::Event CsgWalk::take_nearest(int i) {
     const bool was_in = in_operand(k, i);
     sides_[k][i] = sides_behind(waiting_[k], i);
     taken_[k][i] = true;
+    if (waiting_[k].certificate[i] == Certificate::undecided) {
+      event.doubtful = true;
+      copy_slot(waiting_[k], doubtful_, i);
+      doubtful_operand_[i] = k;
+    }
     int& first = was_in == in_operand(k, i) ? inner : outer;
     if (first < 0) first = k;
   }
+  inside_before_[i] = before;
+  if (event.doubtful) return event;
   const bool behind = is_inside(i);
   if (before != behind) event.operand = outer;
   else if (inner >= 0 && outer < 0 && behind) {
@@ -179,6 +187,15 @@ CsgWalk::Event CsgWalk::take_nearest(int i) {
   return event;
 }
 
+// Whether a ray has followed the surface for so long that it leaps on.
+bool CsgWalk::skips(int k, int i) {
+  constexpr int kPatience = 4;
+  Stretch& stretch = stretches_[k][i];
+  if (waiting_[k].certificate[i] != Certificate::undecided) stretch.count = 0;
+  else if (++stretch.count == 1) stretch.begin = waiting_[k].t_lo[i];
+  return stretch.count > kPatience;
+}
+
 // Asks the operands for what lies behind the crossings that were taken.
 void CsgWalk::follow() {
   HitStream asked;
@@ -186,9 +203,13 @@ void CsgWalk::follow() {
     const bool any = std::any_of(taken_[k], taken_[k] + rays_.size, [](bool taken) { return taken; });
     if (!any) continue;
     asked = waiting_[k];
-    for (int i = 0; i < rays_.size; ++i)
-      if (!taken_[k][i]) forget(asked, i);
+    bool doubtful = false;
+    for (int i = 0; i < rays_.size; ++i) {
+      if (!taken_[k][i] || skips(k, i)) forget(asked, i);
+      doubtful = doubtful || (taken_[k][i] && waiting_[k].certificate[i] == Certificate::undecided);
+    }
     csg_.operands_[k].surface->next_hit(rays_of(k), asked, counts_);
+    if (doubtful) follow_doubtful(k, asked);
     for (int i = 0; i < rays_.size; ++i) {
       if (!taken_[k][i]) continue;
       taken_[k][i] = false;
@@ -202,35 +223,71 @@ void CsgWalk::follow() {
   }
 }
 
+// Behind undecided crossings with operand k: a ray that keeps following the surface leaps as far as it has
+// followed it, and what lies behind the last of its crossings is looked up.
+void CsgWalk::follow_doubtful(int k, HitStream& asked) {
+  const Surface& surface = *csg_.operands_[k].surface;
+  const auto ahead = std::make_unique<RayStream>(rays_of(k));
+  const auto found = std::make_unique<HitStream>();
+  clear(*found);
+  bool leaps = false;
+  for (int i = 0; i < rays_.size; ++i) {
+    const HitStream& hits = waiting_[k];
+    const bool doubtful = taken_[k][i] && hits.certificate[i] == Certificate::undecided && !is_hit(asked, i),
+               leap = doubtful && asked.object[i] == kNoObject;
+    ahead->start_object[i] = kNoObject;
+    if (!doubtful) ahead->t_max[i] = 0, ahead->t_min[i] = 1;
+    else ahead->t_min[i] = hits.t_hi[i] + (leap ? hits.t_hi[i] - stretches_[k][i].begin : 0);
+    found->object[i] = leap ? kNoObject : csg_.object_;
+    leaps = leaps || leap;
+  }
+  if (leaps) surface.first_hit(*ahead, *found, counts_);
+  RaySides sides[kStreamSize];
+  surface.find_sides(*ahead, *found, sides);
+  for (int i = 0; i < rays_.size; ++i) {
+    if (!(ahead->t_min[i] <= ahead->t_max[i])) continue;
+    if (is_hit(*found, i)) copy_slot(*found, asked, i);
+    else sides_[k][i] = sides[i].below;
+    asked.certificate[i] = Certificate::undecided;
+  }
+}
+
+void CsgWalk::emit(int i, int operand, const HitStream& found, int number, HitStream& hits) const {
+  copy_slot(found, hits, i);
+  hits.s[i] = number;
+  hits.iso[i] = static_cast<std::uint8_t>(csg_.first_iso_[operand] + found.iso[i]);
+  hits.sides[i] = (found.sides[i] & kSidesMask) | std::uint32_t(operand) << kOperandShift;
+  hits.object[i] = csg_.object_;
+  if (csg_.proves_) hits.certificate[i] = doubt_[i] ? Certificate::undecided : Certificate::proved_hit;
+}
+
 void CsgWalk::find(bool (&open)[kStreamSize], const int (&passed)[kStreamSize], HitStream& hits) {
   int taken[kStreamSize] = {};
   for (bool any = true; any;) {
     any = false;
+    bool doubtful[kStreamSize] = {};
     for (int i = 0; i < rays_.size; ++i) {
       if (!open[i]) continue;
       const Event event = settled_[i] ? Event() : take_nearest(i);
       ++taken[i];
+      doubtful[i] = event.doubtful;
       if (!event.any) {
         open[i] = false;
         for (int k = 0; k < count_; ++k)
           doubt_[i] = doubt_[i] || waiting_[k].certificate[i] == Certificate::undecided;
         if (doubt_[i] && csg_.proves_) hits.certificate[i] = Certificate::undecided;
-        continue;
+      } else if (event.operand < 0 || taken[i] <= passed[i]) any = true;
+      else {
+        open[i] = false;
+        emit(i, event.operand, waiting_[event.operand], taken[i], hits);
       }
-      if (event.operand < 0 || taken[i] <= passed[i]) {
-        any = true;
-        continue;
-      }
-      open[i] = false;
-      const HitStream& found = waiting_[event.operand];
-      copy_slot(found, hits, i);
-      hits.s[i] = taken[i];
-      hits.iso[i] = static_cast<std::uint8_t>(csg_.first_iso_[event.operand] + found.iso[i]);
-      hits.sides[i] = (found.sides[i] & kSidesMask) | std::uint32_t(event.operand) << kOperandShift;
-      hits.object[i] = csg_.object_;
-      if (csg_.proves_) hits.certificate[i] = doubt_[i] ? Certificate::undecided : Certificate::proved_hit;
     }
     if (any) follow();
+    for (int i = 0; i < rays_.size; ++i) {
+      if (!doubtful[i] || taken[i] <= passed[i] || is_inside(i) == inside_before_[i]) continue;
+      open[i] = false;
+      emit(i, doubtful_operand_[i], doubtful_, taken[i], hits);
+    }
   }
 }
 

@@ -22,6 +22,11 @@ class CsgWalk {
 
  private:
   struct Event;
+  /// Undecided crossings in a row, where a ray follows a surface, from `begin` on.
+  struct Stretch {
+    double begin;
+    int count;
+  };
   [[nodiscard]] const RayStream& rays_of(int operand);
   [[nodiscard]] const RayStream& open_rays_of(int operand);
   [[nodiscard]] bool carries(int operand, int i) const;
@@ -30,6 +35,9 @@ class CsgWalk {
   [[nodiscard]] bool in_operand(int operand, int i) const;
   [[nodiscard]] Event take_nearest(int i);
   void follow();
+  [[nodiscard]] bool skips(int operand, int i);
+  void follow_doubtful(int operand, HitStream& asked);
+  void emit(int i, int operand, const HitStream& found, int number, HitStream& hits) const;
   void trace(int operand);
   void settle(int asked);
   enum class Known : std::uint8_t { outside, inside, nothing };
@@ -44,6 +52,10 @@ class CsgWalk {
   std::unique_ptr<bool[][kStreamSize]> taken_;           // per operand: its crossing was
   std::unique_ptr<RayStream> carried_;                   // rays as one operand sees them
   std::unique_ptr<bool[]> traced_;                       // operands
+  std::unique_ptr<Stretch[][kStreamSize]> stretches_;    // per operand
+  HitStream doubtful_;  // crossings of which it is not known what lies behind
+  int doubtful_operand_[kStreamSize];
+  bool inside_before_[kStreamSize];
   bool starts_here_ = false, doubt_[kStreamSize] = {};
   bool settled_[kStreamSize] = {}, any_settled_ = false;  // the solid is nowhere, or everywhere along the ray
 };

@@ -54,17 +54,16 @@ Image read(const std::filesystem::path& path, const Format& format, std::int64_t
 }
 
 std::vector<std::string> channel_names(Layer layer, ChannelNames names) {
-  std::string name(name_of(layer));
-  if (names == ChannelNames::compositor) {
-    if (layer == Layer::z) return {"Z"};
-    if (layer == Layer::depth) return {"depth.Z"};
-    if (layer == Layer::normal) name = "N";
-    if (layer == Layer::position) name = "P";
-    if (channels_of(layer) == 1) return {name + ".X"};
-  }
+  const bool compositor = names == ChannelNames::compositor;
+  if (compositor && layer == Layer::z) return {"Z"};
+  if (compositor && layer == Layer::depth) return {"depth.Z"};
+  const std::string_view short_name = layer == Layer::normal     ? "N"
+                                      : layer == Layer::position ? "P"
+                                                                 : name_of(layer);
+  const std::string name(compositor ? short_name : name_of(layer));
   if (layer == Layer::albedo) return {name + ".R", name + ".G", name + ".B"};
   if (channels_of(layer) == 3) return {name + ".X", name + ".Y", name + ".Z"};
-  return {name};
+  return {compositor ? name + ".X" : name};
 }
 
 }  // namespace

@@ -143,6 +143,26 @@ TEST_CASE("rays that start on a solid do not meet it where they start") {
   CHECK(std::count(blocked, blocked + mirrored->size, true) == 0);
 }
 
+TEST_CASE("a ray that follows an operand's surface comes to an end, undecided") {
+  // along the plane, on which f stays 0, and within roundings of it
+  const CsgSurface half(join(CsgOperation::intersect, {formula("z", {0}, false), formula(kBig, {0}, false)}),
+                        kObject);
+  for (const double height : {0.0, 1e-9, -1e-9, 1e-6, -1e-6})
+    for (const Double3& d : {Double3{1, 0, 0}, {0.8, 0.6, 1e-9}, {0.8, 0.6, -1e-7}}) {
+      const auto rays = one_ray({-2.5 * d[0], -2.5 * d[1], height}, d);
+      const auto hits = std::make_unique<HitStream>();
+      clear(*hits);
+      TraceCounts counts;
+      int crossings = 0;
+      for (half.first_hit(*rays, *hits, counts); is_hit(*hits, 0) && crossings < 100; ++crossings) {
+        CHECK((hits->t[0] > 1.4 && hits->t[0] < 3.6));
+        half.next_hit(*rays, *hits, counts);
+      }
+      CHECK(crossings < 20);
+      CHECK(counts.evaluations < 3'000'000);
+    }
+}
+
 TEST_CASE("bounds are those of what can be there") {
   const CsgPart cube = closed(formula("x - 5").operand, {{-0.5, -1, -2}, {0.25, 1, 2}}, Transform(), kObject),
                 other = closed(formula("x - 5").operand, {{0, -2, -1}, {1, 2, 1}}, Transform(), kObject),
