@@ -2,7 +2,10 @@
 
 isocast_packages=(g++ cmake ninja-build ccache libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libsleef-dev libembree-dev libopenimageio-dev libnifti2-dev libopenvdb-dev libnanovdb-dev libblosc-dev libboost-dev libimath-dev libpugixml-dev zlib1g-dev pkg-config catch2 libgmp-dev libmpfr-dev
-  libflint-dev libflint-arb-dev libeigen3-dev)
+  libflint-dev libflint-arb-dev libeigen3-dev libglfw3-dev libimgui-dev libstb-dev libgl-dev libx11-dev libxtst-dev
+  fonts-dejavu-core)
+# What only tests need: a screen in memory.
+isocast_test_packages=(xvfb xauth libgl1-mesa-dri)
 
 # Runs a command; shows what it printed only when it fails.
 quietly() {

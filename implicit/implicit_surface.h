@@ -17,6 +17,8 @@
 
 namespace isocast {
 
+struct FormulaPassInputs;
+
 /// iso         1 to kMostIsos values
 /// time        the variable w
 /// normals     difference: over a stencil tied to the method's eps (FormulaMethodChoice)
@@ -53,6 +55,8 @@ class ImplicitSurface final : public Surface {
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] bool proves() const override { return options_.method.proves(); }
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
+  /// Whatever the method.
+  [[nodiscard]] std::unique_ptr<CoveragePass> coverage(const View& view) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void find_sides(const RayStream& rays, const HitStream& hits,
@@ -64,6 +68,7 @@ class ImplicitSurface final : public Surface {
 
  private:
   template <class T> [[nodiscard]] FormulaQuery<T> make_query() const;
+  [[nodiscard]] FormulaPassInputs pass_inputs() const;
   [[nodiscard]] Double3 difference_normal(const Double3& p, double distance) const;
   struct Traced;
   template <class T> [[nodiscard]] const FormulaSolver<T>& solver() const;

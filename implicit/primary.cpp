@@ -1,5 +1,6 @@
 #include <isocast/implicit/beams/beam_cast_pass.h>
 #include <isocast/implicit/beams/certified_pass.h>
+#include <isocast/implicit/beams/formula_coverage.h>
 #include <isocast/implicit/implicit_surface.h>
 
 namespace isocast {
@@ -16,17 +17,27 @@ std::unique_ptr<PrimaryPass> make_pass(const View& view, const FormulaQuery<T>& 
 
 }  // namespace
 
+FormulaPassInputs ImplicitSurface::pass_inputs() const {
+  FormulaPassInputs inputs = {*this, tape_,        pruning_.prunes, {},
+                              eps_,  options_.isa, options_.object, nullptr};
+  if (options_.method.options.delta == 0) inputs.levels = options_.iso;
+  if (components_) inputs.components = &*components_;
+  return inputs;
+}
+
 std::unique_ptr<PrimaryPass> ImplicitSurface::primary(const View& view) const {
   const FormulaMethodChoice& method = options_.method;
   if (method.pass == FormulaPass::none) return nullptr;
   // components are told from rays
   if (frustum_) return components_ ? nullptr : frustum_->primary(view);
-  FormulaPassInputs inputs = {*this, tape_,        pruning_.prunes, {},
-                              eps_,  options_.isa, options_.object, nullptr};
-  if (method.options.delta == 0) inputs.levels = options_.iso;
-  if (components_) inputs.components = &*components_;
-  if (options_.double_precision) return make_pass(view, double_query_, inputs, method);
-  return make_pass(view, float_query_, inputs, method);
+  if (options_.double_precision) return make_pass(view, double_query_, pass_inputs(), method);
+  return make_pass(view, float_query_, pass_inputs(), method);
+}
+
+std::unique_ptr<CoveragePass> ImplicitSurface::coverage(const View& view) const {
+  if (options_.double_precision)
+    return std::make_unique<FormulaCoverage<double>>(view, double_query_, pass_inputs());
+  return std::make_unique<FormulaCoverage<float>>(view, float_query_, pass_inputs());
 }
 
 }  // namespace isocast

@@ -104,11 +104,17 @@ void VolumeSurface::use_tree() {
 }
 
 std::size_t VolumeSurface::acceleration_bytes() const {
-  std::size_t bytes = directory_.bytes() + (macrocells_ ? macrocells_->bytes()
-                                            : ranges_   ? ranges_->bytes()
-                                                        : 0);
-  for (const auto& masks : masks_) bytes += masks->bytes();
-  return bytes;
+  return directory_.bytes() + (macrocells_ ? macrocells_->bytes() : ranges_ ? ranges_->bytes() : 0);
+}
+
+MaskUse VolumeSurface::mask_use() const {
+  MaskUse use;
+  for (const auto& masks : masks_) {
+    use.bricks += masks->bricks();
+    use.masks += masks->count();
+    use.bytes += masks->bytes();
+  }
+  return use;
 }
 
 Box VolumeSurface::world_box(const Double3& lo, const Double3& hi) const {

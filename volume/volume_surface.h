@@ -26,6 +26,12 @@ namespace isocast {
 /// walk       one after the other through the ranges of blocks (march.h): what the others are held against
 enum class RayOrder : std::uint8_t { automatic, streams, walk };
 
+/// Bricks that could have bit masks, one for each iso-value, and the masks that rays have made necessary so
+/// far.
+struct MaskUse {
+  std::size_t bricks = 0, masks = 0, bytes = 0;
+};
+
 /// iso       1 to kMaxIsos values in the user's units (slope and intercept of the file)
 /// isa       which kernels run, by default the widest for this processor; all give the same bits
 /// normals   gradient: of the trilinear interpolant in the hit cell, exact and discontinuous across faces;
@@ -54,8 +60,9 @@ class VolumeSurface final : public Surface {
   VolumeSurface(std::shared_ptr<const Volume> volume, const VolumeSurfaceOptions& options);
 
   void set_options(const VolumeSurfaceOptions& options);
-  /// Memory of the ranges, and of the masks made so far.
+  /// Memory of what does not depend on the iso-values: ranges, and the places of bricks.
   [[nodiscard]] std::size_t acceleration_bytes() const;
+  [[nodiscard]] MaskUse mask_use() const;
 
   /// The whole grid, whatever the iso-values; empty for a sparse grid without an active sample.
   [[nodiscard]] Box bounds() const override { return bounds_; }

@@ -40,6 +40,7 @@ int main(int argc, char** argv) try {
   app.require_subcommand(1);
   // verbs, in the order of --help
   isocast::verbs::add_render(app);
+  isocast::verbs::add_view(app);
   isocast::verbs::add_methods(app);
   isocast::verbs::add_sample(app);
   isocast::verbs::add_info(app);

@@ -8,27 +8,11 @@
 
 namespace isocast::verbs {
 
-void add_render(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand(
-      "render", "Pictures of iso-surfaces of a volume or a formula: PNG, or EXR with layers");
-  const auto w = std::make_shared<RenderWords>();
+void add_picture_options(CLI::App* verb, RenderWords* w) {
   add_scene_options(
       *verb, *w,
       "auto (marmitt for volumes, interval, affine or certified for formulas), or a name that 'isocast "
       "methods' lists");
-  verb->add_option("-o", w->output,
-                   "The picture: .png (sRGB) or .exr (linear, with layers); %04d is the frame's number")
-      ->required();
-  verb->add_option(
-      "--frames", w->frames,
-      "FIRST:LAST, the frames of an animation, of --time FROM:TO or of --iso-sweep (default: all)");
-  verb->add_option("--shard", w->shard, "I/N: every N-th frame from the I-th on, I from 1 to N");
-  verb->add_flag(
-      "--resume", w->resume,
-      "Frames that are there are not rendered again: whole files of the same scene, inputs, options "
-      "and version, as the manifest beside them says");
-  verb->add_option("--iso-sweep", w->iso_sweep,
-                   "FROM:TO:COUNT, a frame per value: OUT_0000.png, OUT_0001.png, ...");
   verb->add_option("--colors", w->colors, "A colour per iso-value: #rrggbb[,#rrggbb...]");
   verb->add_option("--opacity", w->opacity, "0 to 1 per iso-value, A[,A...] (default 1)");
   verb->add_option("--reflectivity", w->reflectivity,
@@ -42,9 +26,10 @@ void add_render(CLI::App& app) {
       ->check(CLI::Range(1, 4096));
   verb->add_option(
           "--aa", w->aa,
-          "How edges are smoothed: none, spp (by --spp samples, 4 where it is not given), or silhouette "
-          "(formulas: the edges between pixels are found)")
-      ->check(CLI::IsMember({"none", "spp", "silhouette"}));
+          "How edges are smoothed: none, spp (by --spp samples, 4 where it is not given), silhouette "
+          "(formulas: the edges between pixels are found) or coverage (a formula: pixels are blended by the "
+          "shares that it covers, and what is thinner than a pixel does not vanish)")
+      ->check(CLI::IsMember({"none", "spp", "silhouette", "coverage"}));
   verb->add_option("--light", w->lights,
                    "X,Y,Z: direction towards a directional light; up to 8 times, n lights have 1/n of the "
                    "strength each (default: a headlight)")
@@ -76,15 +61,35 @@ void add_render(CLI::App& app) {
                    "gradient (exact; of the cell of a volume), difference (central differences, smooth) or "
                    "neighbour (formulas: from the pixels beside it)")
       ->check(CLI::IsMember({"gradient", "difference", "neighbour"}));
+  verb->add_option("--precision", w->precision, "float (default), double, or mixed (frustum methods)")
+      ->check(CLI::IsMember({"float", "double", "mixed"}));
+  verb->add_option("--threads", w->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
+}
+
+void add_render(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand(
+      "render", "Pictures of iso-surfaces of a volume or a formula: PNG, or EXR with layers");
+  const auto w = std::make_shared<RenderWords>();
+  add_picture_options(verb, w.get());
+  verb->add_option("-o", w->output,
+                   "The picture: .png (sRGB) or .exr (linear, with layers); %04d is the frame's number")
+      ->required();
+  verb->add_option(
+      "--frames", w->frames,
+      "FIRST:LAST, the frames of an animation, of --time FROM:TO or of --iso-sweep (default: all)");
+  verb->add_option("--shard", w->shard, "I/N: every N-th frame from the I-th on, I from 1 to N");
+  verb->add_flag(
+      "--resume", w->resume,
+      "Frames that are there are not rendered again: whole files of the same scene, inputs, options "
+      "and version, as the manifest beside them says");
+  verb->add_option("--iso-sweep", w->iso_sweep,
+                   "FROM:TO:COUNT, a frame per value: OUT_0000.png, OUT_0001.png, ...");
   verb->add_option("--aov", w->aov,
                    "Layers of the EXR: depth,z,normal,position,id,object,value,albedo,cost,certificate");
   verb->add_option(
           "--exr-names", w->exr_names,
           "Names of the EXR's channels: plain (as --aov has them), or compositor (Z, depth.Z, N.X, P.X, ...)")
       ->check(CLI::IsMember({"plain", "compositor"}));
-  verb->add_option("--precision", w->precision, "float (default), double, or mixed (frustum methods)")
-      ->check(CLI::IsMember({"float", "double", "mixed"}));
-  verb->add_option("--threads", w->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
   verb->add_option("--stats", w->stats, "What was done, as JSON, to a file or - for stdout");
   verb->callback([w] { render_frames(*w, ISOCAST_VERSION); });
 }

@@ -34,19 +34,6 @@ bool is_exr(const std::string& output) {
   return extension == ".exr";
 }
 
-RenderSettings settings_of(const RenderWords& words, const RenderWishes& wishes) {
-  RenderSettings settings;
-  settings.spp = words.spp.value_or(words.aa == "spp" ? 4 : wishes.spp.value_or(1));
-  settings.filter = filter_from_name(words.filter);
-  if (settings.filter != PixelFilter::box && settings.spp == 1)
-    throw InputError(
-        fmt::format("--filter {}: found one sample a pixel, expected --spp above 1", words.filter));
-  settings.silhouettes = words.aa == "silhouette";
-  settings.transparency_depth = words.transparency_depth.value_or(wishes.transparency_depth.value_or(4));
-  settings.reflections = words.reflections.value_or(wishes.reflections.value_or(1));
-  return settings;
-}
-
 // Volumes that have the frame's number in their names change by themselves, and so do animations.
 std::optional<std::array<int, 2>> animation_of(const RenderWords& words, const SceneDescription& scene) {
   const bool numbered = words.input.find('%') != std::string::npos &&
@@ -61,7 +48,7 @@ class FrameRenderer {
         version_(std::move(version)),
         exr_(is_exr(words.output)),
         layers_(parse_layers(words, exr_)),
-        evaluation_{isa_from_name(words.isa), words.precision == "double", words.precision == "mixed"},
+        evaluation_(evaluation_of(words)),
         threads_(words.threads > 0 ? words.threads : oneapi::tbb::info::default_concurrency()),
         scene_(words, describe_all(words), evaluation_),
         settings_(settings_of(words, scene_.all().wishes)),

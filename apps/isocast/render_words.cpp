@@ -54,16 +54,6 @@ std::vector<double> parse_shares(const std::string& text, const char* option) {
   return shares;
 }
 
-MaterialDescription describe_materials(const RenderWords& words) {
-  MaterialDescription materials;
-  if (!words.colors.empty())
-    for (const std::string& color : split(words.colors, ','))
-      materials.colors.push_back(color_from_hex(color));
-  materials.opacities = parse_shares(words.opacity, "--opacity");
-  materials.reflectivities = parse_shares(words.reflectivity, "--reflectivity");
-  return materials;
-}
-
 std::vector<Double3> parse_lights(const std::vector<std::string>& words) {
   constexpr std::size_t kMost = 8;
   if (words.size() > kMost)
@@ -146,18 +136,17 @@ SceneDescription open_scene(const RenderWords& words) {
   return scene;
 }
 
-void change_camera(const RenderWords& words, CameraWishes& camera) {
-  const auto change = [](const std::optional<Double3>& point, std::optional<Double3>& to) {
-    if (point) to = point;
-  };
-  change(parse_vector(words.position, "--camera-position"), camera.position);
-  change(parse_vector(words.target, "--camera-target"), camera.target);
-  change(parse_vector(words.up, "--camera-up"), camera.up);
-  if (!words.fov.empty()) camera.fov = parse_number(words.fov, "--fov"), camera.ortho_height.reset();
-  if (!words.ortho.empty()) camera.ortho_height = parse_number(words.ortho, "--ortho"), camera.fov.reset();
-}
-
 }  // namespace
+
+MaterialDescription describe_materials(const RenderWords& words) {
+  MaterialDescription materials;
+  if (!words.colors.empty())
+    for (const std::string& color : split(words.colors, ','))
+      materials.colors.push_back(color_from_hex(color));
+  materials.opacities = parse_shares(words.opacity, "--opacity");
+  materials.reflectivities = parse_shares(words.reflectivity, "--reflectivity");
+  return materials;
+}
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -191,6 +180,35 @@ std::vector<Layer> parse_layers(const RenderWords& words, bool exr) {
   return layers;
 }
 
+void change_camera(const RenderWords& words, CameraWishes& camera) {
+  const auto change = [](const std::optional<Double3>& point, std::optional<Double3>& to) {
+    if (point) to = point;
+  };
+  change(parse_vector(words.position, "--camera-position"), camera.position);
+  change(parse_vector(words.target, "--camera-target"), camera.target);
+  change(parse_vector(words.up, "--camera-up"), camera.up);
+  if (!words.fov.empty()) camera.fov = parse_number(words.fov, "--fov"), camera.ortho_height.reset();
+  if (!words.ortho.empty()) camera.ortho_height = parse_number(words.ortho, "--ortho"), camera.fov.reset();
+}
+
+RenderSettings settings_of(const RenderWords& words, const RenderWishes& wishes) {
+  RenderSettings settings;
+  settings.spp = words.spp.value_or(words.aa == "spp" ? 4 : wishes.spp.value_or(1));
+  settings.filter = filter_from_name(words.filter);
+  if (settings.filter != PixelFilter::box && settings.spp == 1)
+    throw InputError(
+        fmt::format("--filter {}: found one sample a pixel, expected --spp above 1", words.filter));
+  settings.silhouettes = words.aa == "silhouette";
+  settings.coverage = words.aa == "coverage";
+  settings.transparency_depth = words.transparency_depth.value_or(wishes.transparency_depth.value_or(4));
+  settings.reflections = words.reflections.value_or(wishes.reflections.value_or(1));
+  return settings;
+}
+
+EvaluationSettings evaluation_of(const RenderWords& words) {
+  return {isa_from_name(words.isa), words.precision == "double", words.precision == "mixed"};
+}
+
 SceneDescription describe_all(const RenderWords& words) {
   const bool from_file = is_scene_file(words.input);
   SceneDescription scene = from_file ? open_scene(words) : SceneDescription();
@@ -200,7 +218,7 @@ SceneDescription describe_all(const RenderWords& words) {
   });
   if (words.aa == "silhouette" && !formulas)
     throw InputError("found --aa silhouette for a volume, expected it for a formula");
-  if ((words.aa == "silhouette" || words.aa == "none") && words.spp.value_or(1) > 1)
+  if (words.aa != "spp" && !words.aa.empty() && words.spp.value_or(1) > 1)
     throw InputError(
         fmt::format("--aa {}: found --spp {}, expected one sample a pixel", words.aa, *words.spp));
   if (!words.lights.empty()) scene.lights = parse_lights(words.lights);

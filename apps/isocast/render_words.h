@@ -1,8 +1,8 @@
 // What the command line of render means.
 #pragma once
 
-#include <isocast/apps/scene_build/description.h>
-#include <isocast/render/film.h>
+#include <isocast/apps/scene_build/scene_build.h>
+#include <isocast/render/features.h>
 
 #include <array>
 #include <optional>
@@ -22,6 +22,7 @@ struct RenderWords {
   std::optional<int> spp, transparency_depth, reflections;  // not given: the scene's, or 1, 4 and 1
   int threads = 0, ambient_occlusion = 0;
   ReadOptions read;
+  bool operator==(const RenderWords&) const = default;
 };
 
 /// A frame with what the command line changes in it.
@@ -44,6 +45,16 @@ struct FrameJob {
 
 /// The layers of --aov, which only an EXR can hold.
 [[nodiscard]] std::vector<Layer> parse_layers(const RenderWords& words, bool exr);
+
+/// The looks of the iso-values, or of the components.
+[[nodiscard]] MaterialDescription describe_materials(const RenderWords& words);
+
+/// What the words fix of the camera, over what is fixed already.
+void change_camera(const RenderWords& words, CameraWishes& camera);
+
+/// How the scene is evaluated, and how its picture is shaded.
+[[nodiscard]] EvaluationSettings evaluation_of(const RenderWords& words);
+[[nodiscard]] RenderSettings settings_of(const RenderWords& words, const RenderWishes& wishes);
 
 /// The scene that the words name, a file with what the words change of it, or one object, for all frames:
 /// before its animation.

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <isocast/apps/isocast/stats.h>
 #include <sys/resource.h>
 
@@ -43,7 +44,16 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
 
   (r.counts.passes > 0 ? features : left_out).push_back("primary pass");
   const BuiltObject& object = r.built.objects.front();
-  if (object.volume) (r.counts.passes > 0 ? features : left_out).push_back("bit masks");
+  MaskUse masks;
+  for (const BuiltObject& one : r.built.objects)
+    if (one.mask_use) {
+      const MaskUse use = one.mask_use();
+      masks.bricks += use.bricks, masks.masks += use.masks, masks.bytes += use.bytes;
+    }
+  if (masks.bricks > 0) {
+    (masks.masks > 0 ? features : left_out).push_back("bit masks");
+    left_out.push_back(fmt::format("bit masks of {} of {} bricks", masks.bricks - masks.masks, masks.bricks));
+  }
   keep_first(features, {});
   keep_first(left_out, features);
 
@@ -64,9 +74,11 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
                  {"render", r.render_ms},
                  {"write", r.write_ms},
                  {"total", r.total_ms}};
-  stats["memory_mb"] = {{"peak", static_cast<double>(usage.ru_maxrss) * 1024 / kMega},
-                        {"volume", static_cast<double>(r.built.volume_bytes) / kMega},
-                        {"acceleration", static_cast<double>(r.built.acceleration_bytes) / kMega}};
+  stats["memory_mb"] = {
+      {"peak", static_cast<double>(usage.ru_maxrss) * 1024 / kMega},
+      {"volume", static_cast<double>(r.built.volume_bytes) / kMega},
+      {"acceleration",
+       (static_cast<double>(r.built.acceleration_bytes) + static_cast<double>(masks.bytes)) / kMega}};
   const std::int64_t rays =
       r.counts.primary + r.counts.shadow + r.counts.occlusion + r.counts.reflection + r.counts.transparency;
   stats["rays"] = {{"primary", r.counts.primary},
@@ -78,7 +90,8 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
   stats["counts"] = {{"cells", r.counts.trace.cells},   {"macrocells", r.counts.trace.macrocells},
                      {"solves", r.counts.trace.solves}, {"evaluations", r.counts.trace.evaluations},
                      {"tiles", r.counts.tiles},         {"tiles_culled", r.counts.tiles_culled},
-                     {"blended", r.counts.blended}};
+                     {"bricks", masks.bricks},          {"masks", masks.masks},
+                     {"blended", r.counts.blended},     {"blended_open", r.counts.blended_open}};
   stats["hits"] = r.counts.hits;
   stats["misses"] = r.counts.misses;
   stats["undecided"] = r.counts.undecided;

@@ -120,6 +120,7 @@ void build(ObjectSurface& object, const VolumeSource& source, const ObjectDescri
   built.volume = volume;
   built.volume_bytes = volume->bytes();
   built.acceleration_bytes = static_cast<std::int64_t>(surface->acceleration_bytes());
+  built.mask_use = [surface] { return surface->mask_use(); };
   use(object, surface, options, choose_cell_method);
   object.above = true;
   if (!volume->tree)

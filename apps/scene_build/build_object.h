@@ -40,6 +40,7 @@ struct BuiltObject {
   std::function<void(const std::string& method, const std::map<std::string, std::string>& settings,
                      const EvaluationSettings& evaluation)>
       change_method;
+  std::function<MaskUse()> mask_use;  // of a volume
   std::vector<std::string> features, left_out;
   double load_ms = 0, build_ms = 0;
   std::int64_t volume_bytes = 0, acceleration_bytes = 0;

@@ -35,8 +35,10 @@ template <class F, Real R> class BeamCast {
     roots_.evaluations = 0;
     for (int i = 0; i < kBlockPixels; ++i) {
       roots_.lo[i] = roots_.unclear[i] = kInfinity<T>;
-      cells_.level[i] = 0;
+      cells_.level[i] = cells_.covered[i] = 0;
     }
+    cells_.buffer[0].count = cells_.buffer[1].count = 0;
+    cells_.finer = finer_;
     if (adaptive) {
       put(0, 0, 0, -rays_.before);
       for (level_ = 0, size_ = kBlockSide << finer_; size_ >= 1; size_ /= 2, ++level_) cast_level();
@@ -94,16 +96,17 @@ template <class F, Real R> class BeamCast {
         if (goes_on(cells, beams[l], lanes_.open >> l & 1)) beams[left++] = beams[l];
       in_work = left;
     }
-    cells.count = 0;
+    cells_.last = level_;
+    if (size_ > 1) cells.count = 0;
   }
   // A cell becomes a beam; false where it misses the domain.
-  ISO_HD bool start(const BeamCells<T>& cells, int cell, Beam& beam) {
+  ISO_HD bool start(BeamCells<T>& cells, int cell, Beam& beam) {
     const T half = T(0.5) * T(size_) * scale(), side = T(kBlockSide / 2);
     const BoxRange<T> box = box_range(rays_, T(cells.x[cell]) * scale() + half - side,
                                       T(cells.y[cell]) * scale() + half - side, half);
     beam = {cell, 0, 0, 1, {max(cells.from[cell], box.enters_from), min(rays_.most_depth, box.leaves_to)}};
     if (!(beam.all.from <= beam.all.to)) {
-      note_level(cells, cell);
+      drop(cells, cell);
       return false;
     }
     const T eps = rays_.eps * T(size_) * scale();
@@ -117,10 +120,10 @@ template <class F, Real R> class BeamCast {
     }
     return true;
   }
-  ISO_HD bool goes_on(const BeamCells<T>& cells, Beam& beam, bool open) {
+  ISO_HD bool goes_on(BeamCells<T>& cells, Beam& beam, bool open) {
     if (!open) {
       const bool more = beam.advance();
-      if (!more) note_level(cells, beam.cell);
+      if (!more) drop(cells, beam.cell);
       return more;
     }
     if (beam.level < beam.most) {
@@ -131,6 +134,8 @@ template <class F, Real R> class BeamCast {
     const DepthRange<T> part = beam.part();
     if (size_ == 1) {
       paint(x >> finer_, y >> finer_, part);
+      cells.from[beam.cell] = part.from;
+      cells_.buffer[1 - level_ % 2].from[beam.cell] = part.to;
       return false;
     }
     const int half = size_ / 2;
@@ -143,13 +148,15 @@ template <class F, Real R> class BeamCast {
   }
   ISO_HD void paint(int x, int y, DepthRange<T> part) {
     const int slot = pixel_slot(x, y);
+    ++cells_.covered[slot];
     if (!(part.from < roots_.lo[slot])) return;
     roots_.lo[slot] = part.from, roots_.hi[slot] = part.to;
     roots_.t[slot] = T(0.5) * (part.from + part.to);
     cells_.level[slot] = static_cast<std::uint8_t>(level_ + 1);
   }
-  // The level at which the last beam of a pixel was thrown away.
-  ISO_HD void note_level(const BeamCells<T>& cells, int cell) {
+  // Nothing is left of a cell: notes the level at which the last beam of a pixel was thrown away.
+  ISO_HD void drop(BeamCells<T>& cells, int cell) {
+    cells.from[cell] = kInfinity<T>;
     const int side = size_ >> finer_ > 0 ? size_ >> finer_ : 1;
     for (int y = cells.y[cell] >> finer_, i = 0; i < side; ++i)
       for (int x = cells.x[cell] >> finer_, j = 0; j < side; ++j) {

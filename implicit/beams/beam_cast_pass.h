@@ -18,7 +18,7 @@ struct BeamCastOptions {
 /// Pixels, not rays: a pixel is proved to miss where its beam, as wide as the pixel, holds no root; what
 /// cannot be thrown away is a hit, undecided, in the middle of the depths that are left. `cost` is the level
 /// at which the last of a pixel's beams was thrown away.
-template <class T> class BeamCastPass final : public BlockPass<T> {
+template <class T> class BeamCastPass final : public PrimaryPass, private BlockPass<T> {
  public:
   BeamCastPass(const View& view, const FormulaQuery<T>& query, const FormulaPassInputs& inputs,
                const BeamCastOptions& options)

@@ -8,6 +8,13 @@ namespace isocast::inline ISO_ISA {
 
 inline constexpr int kBeamLanes = 64;
 
+/// Of parts of beams: f has one side of each iso-value in all of it for sure (bit i of `below` set: f < iso
+/// i); f is defined and continuous.
+template <class T> struct CellSides {
+  std::uint32_t below[kBeamLanes];
+  bool sure[kBeamLanes], continuous[kBeamLanes];
+};
+
 /// Parts of beams in structure of arrays: pixels within `half` of (u, v), depths from `from` to `to` behind
 /// the plane at + (u' - u) along_u + (v' - v) along_v, of which those in the window are asked for.
 ///
@@ -55,16 +62,44 @@ template <Real R> struct BeamLanes {
   /// registers  room for kPacks of F a register
   template <class F>
   ISO_HD void look(const FormulaQuery<T>& query, const BlockRays<T>& rays, void* registers) {
-    const int packs = (count + kWidth<R> - 1) / kWidth<R>;
-    for (int l = count; l < packs * kWidth<R>; ++l) repeat(count - 1, l);
-    F inputs[4 * kPacks];
-    for (int p = 0; p < packs; ++p) put_inputs(query, rays, p, inputs);
-    const F* const f =
-        evaluate_some<kPacks>(query.tape, static_cast<const F*>(inputs), static_cast<F*>(registers), packs);
-    for (int p = 0; p < packs; ++p) judge(query, f[p], R(rays.eps), p);
+    const F* const f = evaluate<F>(query, rays, registers);
+    for (int p = 0; p < packs(); ++p) judge(query, f[p], R(rays.eps), p);
+  }
+
+  /// Looks at the sides of all parts alone.
+  template <class F>
+  ISO_HD void look_at_sides(const FormulaQuery<T>& query, const BlockRays<T>& rays, void* registers,
+                            CellSides<T>& sides) {
+    const F* const f = evaluate<F>(query, rays, registers);
+    for (int p = 0; p < packs(); ++p) {
+      const Interval<R> range = interval_of(f[p]);
+      const Mask<R> defined = range.defined & !range.empty;
+      const unsigned sure = bits_of(leaves_out(range, query) & defined),
+                     continuous = bits_of(range.continuous & defined);
+      for (int l = 0; l < kWidth<R>; ++l) {
+        sides.sure[p * kWidth<R> + l] = sure >> l & 1;
+        sides.continuous[p * kWidth<R> + l] = continuous >> l & 1;
+        sides.below[p * kWidth<R> + l] = 0;
+      }
+      for (int i = 0; i < query.iso_count; ++i)
+        for (unsigned rest = bits_of(sides_of(range, query, i).below); rest; rest &= rest - 1)
+          sides.below[p * kWidth<R> + __builtin_ctz(rest)] |= 1u << i;
+    }
   }
 
  private:
+  ISO_HD int packs() const { return (count + kWidth<R> - 1) / kWidth<R>; }
+
+  // f over all parts, a pack of them at a time.
+  template <class F>
+  ISO_HD const F* evaluate(const FormulaQuery<T>& query, const BlockRays<T>& rays, void* registers) {
+    for (int l = count; l < packs() * kWidth<R>; ++l) repeat(count - 1, l);
+    F inputs[4 * kPacks];
+    for (int p = 0; p < packs(); ++p) put_inputs(query, rays, p, inputs);
+    return evaluate_some<kPacks>(query.tape, static_cast<const F*>(inputs), static_cast<F*>(registers),
+                                 packs());
+  }
+
   ISO_HD void repeat(int from_lane, int l) {
     u[l] = u[from_lane], v[l] = v[from_lane], half[l] = half[from_lane];
     at[l] = at[from_lane], along_u[l] = along_u[from_lane], along_v[l] = along_v[from_lane];

@@ -93,18 +93,42 @@ template <class T> struct alignas(64) BlockRoots {
   RayPiece<T> pieces[kMostPieces];
 };
 
+/// Levels below pixels that beams may be cast to, and how many cells these make of a pixel.
+inline constexpr int kMostFiner = 2, kFinestCells = 1 << 2 * kMostFiner;
+
 /// Cells of one level of a quadtree: their upper left corners in cells of the finest level, and the depths
 /// that they begin at.
 template <class T> struct BeamCells {
-  static constexpr int kMostFiner = 2, kMost = kBlockPixels << 2 * kMostFiner;
+  static constexpr int kMost = kBlockPixels << 2 * kMostFiner;
   int count = 0;
   std::int16_t x[kMost], y[kMost];
   T from[kMost];
 };
-/// A level and the next one; level: of each pixel, that at which the last of its beams was thrown away.
+/// What casting left of the finest cells, `finer` levels below pixels: between `from` and `to` roots may be;
+/// from is +inf where nothing is left.
+template <class T> struct FinestCells {
+  const BeamCells<T>* cells;
+  const T* to;
+  int finer;
+};
+/// A level and the next one, and of each pixel:
+///
+/// level    that at which the last of its beams was thrown away
+/// covered  the finest cells of which something is left
+/// proved   those of them that hold a crossing on every ray for sure, or all where all are covered
+/// (prove_cells)
+///
+/// last, finer  the level that casting ended with, and how many it lies below pixels
+/// evaluations  that proving took
 template <class T> struct alignas(64) BlockCells {
   BeamCells<T> buffer[2];
-  std::uint8_t level[kBlockPixels];
+  std::uint8_t level[kBlockPixels], covered[kBlockPixels], proved[kBlockPixels];
+  int last = 0, finer = 0;
+  std::int64_t evaluations = 0;
+
+  [[nodiscard]] FinestCells<T> finest() const {
+    return {&buffer[last % 2], buffer[1 - last % 2].from, finer};
+  }
 };
 
 }  // namespace isocast

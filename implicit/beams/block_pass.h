@@ -29,7 +29,7 @@ struct FormulaPassInputs {
 };
 
 /// view, query  for as long as the pass lives
-template <class T> class BlockPass : public PrimaryPass {
+template <class T> class BlockPass {
  public:
   BlockPass(const View& view, const FormulaQuery<T>& query, const FormulaPassInputs& inputs);
 

@@ -95,6 +95,7 @@ void CertifiedPass<T>::solve_open_rays(int bx, int by, double offset_u, double o
   thread_local const auto tile_rays = std::make_unique_for_overwrite<RayStream>();
   open->rays.size = 0;
   for (int tile = 0; tile < kBlockStreams; ++tile) {
+    if (hits.unwanted()) return;
     const int x = tile % kBlockTiles, y = tile / kBlockTiles;
     const T *const lo = roots.lo + tile * kStreamSize, *const unclear = roots.unclear + tile * kStreamSize;
     bool filled = false;

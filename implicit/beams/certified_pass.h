@@ -9,7 +9,7 @@ namespace isocast {
 /// first_hit, each for itself, from where they were left.
 ///
 /// proofs  as ImplicitSurface's
-template <class T> class CertifiedPass final : public BlockPass<T> {
+template <class T> class CertifiedPass final : public PrimaryPass, private BlockPass<T> {
  public:
   using BlockPass<T>::BlockPass;
   void first_hits(int bx, int by, double offset_u, double offset_v, BlockHits& hits,

@@ -14,7 +14,8 @@ enum class Isa : std::uint8_t;  // isa/cpu.h
 ///         which is a sixteenth of the node's window and eps longer at both ends, or more
 /// cast    fills them by casting beams: with intervals or affine forms, `finer` levels below pixels, adaptive
 ///         or for every pixel; lo and hi bound the first part that is not thrown away
-/// polish  improves the guesses at those roots of a tile whose brackets begin in a range
+/// prove_cells  counts those of the finest cells that casting has left which are covered for sure
+/// (prove_cells.h) polish  improves the guesses at those roots of a tile whose brackets begin in a range
 /// guess   gives the iso-value that f is nearest to at the guesses of a tile, and its side in front of them
 /// write   makes hits of the roots of a tile, each with this certificate
 ///
@@ -26,6 +27,7 @@ template <class T> struct BlockKernels {
   using Cast = void(const FormulaQuery<T>&, const BlockRays<T>&, BlockRoots<T>&, BlockCells<T>&, int finer,
                     bool adaptive, void* registers);
   Cast *cast_interval, *cast_affine;
+  void (*prove_cells)(const FormulaQuery<T>&, const BlockRays<T>&, BlockCells<T>&, void* registers);
   void (*polish)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, DepthRange<T>, BlockRoots<T>&,
                  void* registers);
   void (*guess)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, BlockRoots<T>&, void* registers);

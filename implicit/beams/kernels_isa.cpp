@@ -3,6 +3,7 @@
 #include <isocast/implicit/beams/beam_tree.h>
 #include <isocast/implicit/beams/block_hits.h>
 #include <isocast/implicit/beams/kernels.h>
+#include <isocast/implicit/beams/prove_cells.h>
 #include <isocast/math/pack.h>
 
 namespace isocast::inline ISO_ISA {
@@ -29,6 +30,7 @@ template <class T> constexpr BlockKernels<T> block_kernels() {
              void* registers) { Tree(query, rays, roots, registers).run(start, limit); },
           cast<Interval<R>, R>,
           cast<AffineForm<R, 3>, R>,
+          prove_cells<AffineForm<R, 3>, R>,
           polish_tile<R>,
           guess_tile<R>,
           write_tile<Native<double>, T>,

@@ -152,6 +152,7 @@ void FrustumPass::first_hits(int bx, int by, double offset_u, double offset_v, B
   FrustumCounts work;
   for (int y = 0; y < kBlockTiles; y += tiles_)
     for (int x = 0; x < kBlockTiles; x += tiles_) {
+      if (hits.unwanted()) return;
       const double pixels = 16 * tiles_;
       query.u0 = 16 * (bx * kBlockTiles + x), query.v0 = 16 * (by * kBlockTiles + y);
       const auto depths =

@@ -2,6 +2,7 @@
 #include <isocast/base/interrupt.h>
 #include <pthread.h>
 
+#include <atomic>
 #include <csignal>
 #include <thread>
 
@@ -32,12 +33,18 @@ Watcher& watcher() {
   return *instance;
 }
 
+std::atomic<const std::stop_token*> unwanted = nullptr;
+
 }  // namespace
+
+InterruptibleWork::InterruptibleWork(std::stop_token stop) : stop_(std::move(stop)) { unwanted = &stop_; }
+InterruptibleWork::~InterruptibleWork() { unwanted = nullptr; }
 
 std::stop_token interrupt_token() { return watcher().source.get_token(); }
 
 void throw_if_interrupted() {
-  if (watcher().source.stop_requested()) throw Interrupted();
+  const std::stop_token* const work = unwanted;
+  if (watcher().source.stop_requested() || (work && work->stop_requested())) throw Interrupted();
 }
 
 }  // namespace isocast

@@ -9,7 +9,20 @@ namespace isocast {
 /// signal ends the process at once.
 std::stop_token interrupt_token();
 
-/// Throws Interrupted when Ctrl-C was pressed.
+/// Throws Interrupted when Ctrl-C was pressed, or the work is unwanted.
 void throw_if_interrupted();
+
+/// While one lives, throw_if_interrupted() also throws, in any thread, once the token is stopped; one at a
+/// time.
+class InterruptibleWork {
+ public:
+  explicit InterruptibleWork(std::stop_token stop);
+  ~InterruptibleWork();
+  InterruptibleWork(const InterruptibleWork&) = delete;
+  InterruptibleWork& operator=(const InterruptibleWork&) = delete;
+
+ private:
+  std::stop_token stop_;
+};
 
 }  // namespace isocast

@@ -9,12 +9,33 @@ namespace isocast {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
+namespace {
+
+std::atomic<ProgressWatch*> watch = nullptr;
+
+}  // namespace
+
+ProgressWatch::ProgressWatch() { watch = this; }
+ProgressWatch::~ProgressWatch() { watch = nullptr; }
+
+ProgressWatch::Work ProgressWatch::work() const {
+  const std::lock_guard lock(mutex_);
+  return {what_, std::min(1.0, static_cast<double>(done_) / static_cast<double>(total_))};
+}
+
 Progress::Progress(std::string what, std::int64_t total)
     : what_(std::move(what)),
       total_(std::max<std::int64_t>(total, 1)),
       start_(steady_clock::now()),
       last_(start_),
-      terminal_(isatty(STDERR_FILENO) == 1) {}
+      terminal_(!watch && isatty(STDERR_FILENO) == 1) {
+  if (ProgressWatch* const told = watch) {
+    const std::lock_guard lock(told->mutex_);
+    told->what_ = what_;
+    told->done_ = 0;
+    told->total_ = total_;
+  }
+}
 
 Progress::~Progress() {
   if (drawn_) fmt::print(stderr, "\r\033[K");
@@ -22,6 +43,7 @@ Progress::~Progress() {
 
 void Progress::add(std::int64_t units) {
   const std::int64_t done = done_ += units;
+  if (ProgressWatch* const told = watch) told->done_ = done;
   if (!terminal_ || !mutex_.try_lock()) return;
   draw(done);
   mutex_.unlock();

@@ -18,6 +18,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   void add(std::int64_t units = 1);
+  [[nodiscard]] std::int64_t done() const { return done_; }
 
  private:
   void draw(std::int64_t done);
@@ -28,6 +29,29 @@ class Progress {
   std::chrono::steady_clock::time_point start_, last_;
   std::mutex mutex_;
   bool terminal_ = false, drawn_ = false;
+};
+
+/// While one lives, the work of this process is told to it and nothing is drawn; one at a time. Its calls may
+/// come from any thread and never wait for work.
+class ProgressWatch {
+ public:
+  ProgressWatch();
+  ~ProgressWatch();
+  ProgressWatch(const ProgressWatch&) = delete;
+  ProgressWatch& operator=(const ProgressWatch&) = delete;
+
+  /// The latest work that began, and the share of it that is done, 0 to 1.
+  struct Work {
+    std::string what;
+    double share = 0;
+  };
+  [[nodiscard]] Work work() const;
+
+ private:
+  friend class Progress;
+  mutable std::mutex mutex_;
+  std::string what_;
+  std::atomic<std::int64_t> done_ = 0, total_ = 1;
 };
 
 }  // namespace isocast

@@ -1,3 +1,4 @@
+#include <isocast/ray/box_surface.h>
 #include <isocast/ray/csg_walk.h>
 
 #include <algorithm>
@@ -24,21 +25,87 @@ CsgWalk::CsgWalk(const CsgSurface& csg, const RayStream& rays, TraceCounts& coun
       count_(static_cast<int>(csg.operands_.size())),
       waiting_(std::make_unique_for_overwrite<HitStream[]>(csg.operands_.size())),
       sides_(std::make_unique_for_overwrite<std::uint32_t[][kStreamSize]>(csg.operands_.size())),
-      taken_(std::make_unique<bool[][kStreamSize]>(csg.operands_.size())) {
+      taken_(std::make_unique<bool[][kStreamSize]>(csg.operands_.size())),
+      traced_(std::make_unique<bool[]>(csg.operands_.size())) {
   for (int i = 0; i < rays.size; ++i)
     starts_here_ = starts_here_ || (rays.t_min[i] <= rays.t_max[i] && rays.start_object[i] == csg.object_);
-  for (int k = 0; k < count_; ++k) {
-    HitStream& hits = waiting_[k];
-    clear(hits);
-    if (csg.proves_) std::ranges::fill(hits.certificate, Certificate::proved_miss);
-    csg.operands_[k].surface->first_hit(rays_of(k), hits, counts);
+  for (const bool boxes : {true, false})
+    for (int k = 0; k < count_; ++k) {
+      const bool is_box = dynamic_cast<const BoxSurface*>(csg.operands_[k].surface.get()) != nullptr;
+      if (is_box != boxes) continue;
+      trace(k);
+      settle(k);
+    }
+}
+
+// The first crossings with operand k, and the sides in front of them.
+void CsgWalk::trace(int k) {
+  HitStream& hits = waiting_[k];
+  const Surface& surface = *csg_.operands_[k].surface;
+  clear(hits);
+  if (csg_.proves_) std::ranges::fill(hits.certificate, Certificate::proved_miss);
+  const RayStream& rays = open_rays_of(k);
+  surface.first_hit(rays, hits, counts_);
+  RaySides found[kStreamSize];
+  if (std::any_of(hits.t, hits.t + rays.size, [](double t) { return !(t < __builtin_inf()); }))
+    surface.find_sides(rays, hits, found);
+  for (int i = 0; i < rays.size; ++i) {
+    if (is_hit(hits, i)) sides_[k][i] = hits.sides[i];
+    else if (carries(k, i)) sides_[k][i] = rays_.start_sides[i] & kSidesMask;
+    else {
+      sides_[k][i] = found[i].below;
+      doubt_[i] = doubt_[i] || (!settled_[i] && !found[i].sure);
+    }
   }
-  find_first_sides();
+  traced_[k] = true;
+}
+
+// Finds the rays for which, after operand k, it does not matter any more what others say.
+void CsgWalk::settle(int k) {
+  for (int i = 0; i < rays_.size; ++i) {
+    if (settled_[i] || is_hit(waiting_[k], i)) continue;
+    int operand = 0;
+    settled_[i] = known(csg_.part_, i, operand) != Known::nothing;
+    any_settled_ = any_settled_ || settled_[i];
+  }
+}
+
+// What is known of a part all along the ray.
+CsgWalk::Known CsgWalk::known(const CsgPart& part, int i, int& operand) const {
+  if (part.operation == CsgOperation::operand) {
+    const int k = operand++;
+    if (!traced_[k] || is_hit(waiting_[k], i)) return Known::nothing;
+    return in_operand(k, i) ? Known::inside : Known::outside;
+  }
+  // a union is the complement of the complements' intersection, a difference the intersection with them
+  const auto turned = [](Known one) {
+    return one == Known::nothing ? one : one == Known::inside ? Known::outside : Known::inside;
+  };
+  const bool unite = part.operation == CsgOperation::unite,
+             subtract = part.operation == CsgOperation::subtract;
+  Known all = Known::inside;
+  for (std::size_t n = 0; n < part.parts.size(); ++n) {
+    Known one = known(part.parts[n], i, operand);
+    if (unite || (subtract && n > 0)) one = turned(one);
+    if (all == Known::outside || one == Known::outside) all = Known::outside;
+    else if (one == Known::nothing) all = Known::nothing;
+  }
+  return unite ? turned(all) : all;
+}
+
+// Without those that ask no more.
+const RayStream& CsgWalk::open_rays_of(int k) {
+  const RayStream& rays = rays_of(k);
+  if (!any_settled_) return rays;
+  if (!carried_) carried_ = std::make_unique<RayStream>(rays_);
+  for (int i = 0; i < rays_.size; ++i)
+    if (settled_[i]) carried_->t_min[i] = 1, carried_->t_max[i] = 0;
+  return *carried_;
 }
 
 // The rays as operand k sees them: one that starts on another operand does not start on it.
 const RayStream& CsgWalk::rays_of(int k) {
-  if (!starts_here_) return rays_;
+  if (!starts_here_) return carried_ ? *carried_ : rays_;
   if (!carried_) carried_ = std::make_unique<RayStream>(rays_);
   for (int i = 0; i < rays_.size; ++i) {
     if (rays_.start_object[i] != csg_.object_) continue;
@@ -50,24 +117,6 @@ const RayStream& CsgWalk::rays_of(int k) {
 
 bool CsgWalk::carries(int k, int i) const {
   return rays_.start_object[i] == csg_.object_ && rays_.start_sides[i] >> kOperandShift == unsigned(k);
-}
-
-void CsgWalk::find_first_sides() {
-  for (int k = 0; k < count_; ++k) {
-    const HitStream& hits = waiting_[k];
-    RaySides found[kStreamSize];
-    const bool all_hit =
-        std::all_of(hits.t, hits.t + rays_.size, [](double t) { return t < __builtin_inf(); });
-    if (!all_hit) csg_.operands_[k].surface->find_sides(rays_, hits, found);
-    for (int i = 0; i < rays_.size; ++i) {
-      if (is_hit(hits, i)) sides_[k][i] = hits.sides[i];
-      else if (carries(k, i)) sides_[k][i] = rays_.start_sides[i] & kSidesMask;
-      else {
-        sides_[k][i] = found[i].below;
-        doubt_[i] = doubt_[i] || !found[i].sure;
-      }
-    }
-  }
 }
 
 bool CsgWalk::in_operand(int k, int i) const {
@@ -159,7 +208,7 @@ void CsgWalk::find(bool (&open)[kStreamSize], const int (&passed)[kStreamSize], 
     any = false;
     for (int i = 0; i < rays_.size; ++i) {
       if (!open[i]) continue;
-      const Event event = take_nearest(i);
+      const Event event = settled_[i] ? Event() : take_nearest(i);
       ++taken[i];
       if (!event.any) {
         open[i] = false;

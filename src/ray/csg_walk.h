@@ -6,7 +6,7 @@
 namespace isocast {
 
 /// Of every operand the next crossing waits for its turn; only where it was taken the operand is asked for
-/// the following one.
+/// the following one. Boxes are asked first, and a ray whose fate the others have settled asks no more.
 class CsgWalk {
  public:
   /// Begins at the start of all rays.
@@ -23,13 +23,17 @@ class CsgWalk {
  private:
   struct Event;
   [[nodiscard]] const RayStream& rays_of(int operand);
+  [[nodiscard]] const RayStream& open_rays_of(int operand);
   [[nodiscard]] bool carries(int operand, int i) const;
   [[nodiscard]] bool is_inside(const CsgPart& part, int i, int& operand) const;
   [[nodiscard]] bool is_inside(int i) const;
   [[nodiscard]] bool in_operand(int operand, int i) const;
   [[nodiscard]] Event take_nearest(int i);
   void follow();
-  void find_first_sides();
+  void trace(int operand);
+  void settle(int asked);
+  enum class Known : std::uint8_t { outside, inside, nothing };
+  [[nodiscard]] Known known(const CsgPart& part, int i, int& operand) const;
 
   const CsgSurface& csg_;
   const RayStream& rays_;
@@ -39,7 +43,9 @@ class CsgWalk {
   std::unique_ptr<std::uint32_t[][kStreamSize]> sides_;  // per operand: where the ray is now
   std::unique_ptr<bool[][kStreamSize]> taken_;           // per operand: its crossing was
   std::unique_ptr<RayStream> carried_;                   // rays as one operand sees them
+  std::unique_ptr<bool[]> traced_;                       // operands
   bool starts_here_ = false, doubt_[kStreamSize] = {};
+  bool settled_[kStreamSize] = {}, any_settled_ = false;  // the solid is nowhere, or everywhere along the ray
 };
 
 }  // namespace isocast

@@ -4,6 +4,8 @@
 
 #include <isocast/ray/hit.h>
 
+#include <stop_token>
+
 namespace isocast {
 
 /// Tiles per side of a block of the picture: the unit of work of a pass.
@@ -15,10 +17,13 @@ inline constexpr int kBlockStreams = kBlockTiles * kBlockTiles;
 class BlockHits {
  public:
   /// Closes all tiles. `proves`: slots of opened tiles begin as proved misses.
-  void reset(bool proves) {
+  void reset(bool proves, std::stop_token stop = {}) {
     for (bool& open : open_) open = false;
     nothing_ = proves ? Certificate::proved_miss : Certificate::no_proof;
+    stop_ = std::move(stop);
   }
+  /// Nobody wants the block any more: passes may leave it as it is.
+  [[nodiscard]] bool unwanted() const { return stop_.stop_requested(); }
   [[nodiscard]] bool is_open(int x, int y) const { return open_[x + kBlockTiles * y]; }
   /// Tile (x, y) of the block, 0 to kBlockTiles - 1 each.
   [[nodiscard]] HitStream& tile(int x, int y) {
@@ -36,6 +41,7 @@ class BlockHits {
   HitStream tiles_[kBlockStreams];
   bool open_[kBlockStreams];
   Certificate nothing_;
+  std::stop_token stop_;
 };
 
 /// One surface's answers for the primary rays of one view, made by Surface::primary. Calls are const and may

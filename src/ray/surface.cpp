@@ -9,6 +9,8 @@ void Surface::find_sides(const RayStream& rays, const HitStream& hits, RaySides 
     if (!is_hit(hits, i)) sides[i] = {0, true};
 }
 
+std::unique_ptr<CoveragePass> Surface::coverage(const View& /*view*/) const { return nullptr; }
+
 void Surface::find_edges(const PixelLines& /*lines*/, std::span<const EdgeStep> /*steps*/,
                          std::span<float> /*shares*/) const {}
 

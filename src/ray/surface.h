@@ -2,10 +2,10 @@
 #pragma once
 
 #include <isocast/math/box.h>
+#include <isocast/ray/coverage_pass.h>
 #include <isocast/ray/edge_step.h>
 #include <isocast/ray/hit.h>
 #include <isocast/ray/pixel_lines.h>
-#include <isocast/ray/primary_pass.h>
 #include <isocast/ray/stream.h>
 #include <isocast/ray/tile.h>
 
@@ -57,6 +57,10 @@ class Surface {
   /// What finds the primary rays of a whole picture together, for as long as the surface and its options and
   /// the view stay as they are; null where first_hit does it tile by tile.
   [[nodiscard]] virtual std::unique_ptr<PrimaryPass> primary(const View& view) const;
+
+  /// What finds the shares of pixels that it covers, as long as surface, options and view stay as they are; null where
+  /// it cannot tell.
+  [[nodiscard]] virtual std::unique_ptr<CoveragePass> coverage(const View& view) const;
 
   /// For every ray the first hit in [t_min, t_max] that is nearer than the one `hits` already holds; other
   /// slots keep theirs.

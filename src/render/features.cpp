@@ -23,6 +23,7 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
   if (settings.colors && any_material(scene, [](const Material& m) { return m.reflectivity > 0; }))
     f.reflections = settings.reflections;
   f.silhouettes = settings.colors && settings.silhouettes;
+  f.coverage = settings.colors && settings.coverage;
   f.color_fields = settings.colors && std::ranges::any_of(scene.objects, [](const SceneObject& object) {
                      return object.color_field != nullptr;
                    });
@@ -53,6 +54,7 @@ Features find_features(const Scene& scene, const Film& film, const RenderSetting
     if (film.has(layer)) f.used.push_back(fmt::format("layer:{}", name_of(layer)));
   }
   list(f.silhouettes, "silhouettes");
+  list(f.coverage, "coverage");
   list(f.color_fields, "colour fields");
   list(scene.objects.size() > 1, "object hierarchy");
   list(scene.objects.size() > 1 && has_embree(), "module:embree");

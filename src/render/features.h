@@ -18,16 +18,20 @@ namespace isocast {
 /// transparency_depth  crossings that a ray passes, at least 1; the last counts as opaque if more follow
 /// reflections         how often a ray is mirrored
 /// silhouettes         edges of surfaces are found and blended in (silhouettes.h)
+/// coverage            pixels are blended by the shares that the surface covers (coverage.h): one object that
+/// can tell
+///                     them (Surface::coverage), one sample a pixel
 struct RenderSettings {
   int spp = 1;
   PixelFilter filter = PixelFilter::box;
   bool colors = true;
   int transparency_depth = 4, reflections = 1;
-  bool silhouettes = false;
+  bool silhouettes = false, coverage = false;
 };
 
 struct Features {
-  bool shade = false, shadows = false, transparency = false, silhouettes = false, color_fields = false;
+  bool shade = false, shadows = false, transparency = false, silhouettes = false, coverage = false,
+       color_fields = false;
   int reflections = 0, occlusion = 0;  // occlusion: rays per hit
   DressWishes first_sample,
       other_samples;  // what the hits of the first sample of a pixel must offer, and of the others

@@ -17,6 +17,7 @@ namespace isocast {
 /// first_id  per object: ids of the objects before it
 /// passes    per object: what finds its primary rays block by block, or null
 /// passed    per object, where there are passes: 1 if it has one
+/// coverage  what tells the shares of pixels, where that is wished; else null
 /// bounds    of the scene
 /// hierarchy of several objects; null where there is one, or where each ray's cost is told
 /// proves    every object does
@@ -25,14 +26,15 @@ struct Frame {
   const View& view;
   const RenderSettings& settings;
   Features features;
-  std::vector<Double3> lights;
-  std::vector<std::uint16_t> objects;
-  std::vector<int> first_id;
-  std::vector<std::unique_ptr<PrimaryPass>> passes;
-  std::vector<std::uint8_t> passed;
-  bool proves;
-  std::shared_ptr<const ObjectHierarchy> hierarchy;
-  Box bounds;
+  std::vector<Double3> lights = {};
+  std::vector<std::uint16_t> objects = {};
+  std::vector<int> first_id = {};
+  std::vector<std::unique_ptr<PrimaryPass>> passes = {};
+  std::vector<std::uint8_t> passed = {};
+  std::unique_ptr<CoveragePass> coverage = {};
+  bool proves = false;
+  std::shared_ptr<const ObjectHierarchy> hierarchy = {};
+  Box bounds = {};
 };
 
 /// Rays with what they hit.

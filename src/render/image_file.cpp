@@ -24,6 +24,16 @@ std::array<double, 255> srgb_steps() {
   return steps;
 }
 
+// The codes of 0, 1/kSrgbStarts, ...: between two of them lies hardly one step.
+constexpr int kSrgbStarts = 4096;
+std::array<std::uint8_t, kSrgbStarts> srgb_starts(const std::array<double, 255>& steps) {
+  std::array<std::uint8_t, kSrgbStarts> starts;
+  for (int i = 0; i < kSrgbStarts; ++i)
+    starts[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(
+        std::ranges::upper_bound(steps, static_cast<double>(i) / kSrgbStarts) - steps.begin());
+  return starts;
+}
+
 // A format that is read, by the extension of its files, and whether its samples are sRGB codes.
 struct Format {
   std::string_view extension;
@@ -66,9 +76,12 @@ int Image::channel(std::string_view name) const {
 
 std::uint8_t srgb_code(float linear) {
   static const std::array<double, 255> steps = srgb_steps();
-  const auto above =
-      std::partition_point(steps.begin(), steps.end(), [&](double step) { return step <= linear; });
-  return static_cast<std::uint8_t>(above - steps.begin());
+  static const std::array<std::uint8_t, kSrgbStarts> starts = srgb_starts(steps);
+  if (!(linear > 0)) return 0;
+  if (linear >= 1) return 255;
+  std::size_t code = starts[static_cast<std::size_t>(linear * kSrgbStarts)];
+  while (code < steps.size() && steps[code] <= linear) ++code;
+  return static_cast<std::uint8_t>(code);
 }
 
 std::vector<ImageLayer> image_layers(const Film& film, bool color, ChannelNames names) {

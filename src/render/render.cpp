@@ -1,5 +1,6 @@
 #include <isocast/base/error.h>
 #include <isocast/base/mapped_file.h>
+#include <isocast/render/coverage.h>
 #include <isocast/render/film_layers.h>
 #include <isocast/render/silhouettes.h>
 #include <isocast/render/transparency.h>
@@ -29,6 +30,7 @@ struct FrameSample {
 struct Worker {
   std::unique_ptr<TileBuffers> buffers = std::make_unique_for_overwrite<TileBuffers>();
   std::unique_ptr<BlockHits> block;
+  std::unique_ptr<BlockCover> cover;
   RenderCounts counts;
 };
 
@@ -74,13 +76,22 @@ struct Target {
   std::vector<PixelHit> pixels;
 };
 
-// One sample of every pixel of a tile. found: as in trace_first_hits.
-void render_sample(const FrameSample& place, int tx, int ty, HitStream* found, TileBuffers& b, Target& target,
-                   RenderCounts& counts) {
+// The colours of a tile by the shares of its pixels that are covered.
+void add_cover(const Frame& frame, const TileCover& cover, TileBuffers& b, Film& film, RenderCounts& counts) {
+  if (take_spares(cover, b.primary)) dress_hits(frame, frame.features.first_sample, b);
+  add_colors(frame, b, film, counts);
+  blend_cover(frame, cover, b.primary.rays, film, counts);
+}
+
+// One sample of every pixel of a tile. found: as in trace_first_hits. cover: null where nobody asks for
+// shares.
+void render_sample(const FrameSample& place, int tx, int ty, HitStream* found, const TileCover* cover,
+                   TileBuffers& b, Target& target, RenderCounts& counts) {
   const Frame& frame = place.frame;
   const int sample = place.number;
   Film& film = target.film;
   find_candidates(frame, tx, ty, found, b.candidates);
+  if (cover && !cover->spare) b.candidates.clear();
   if (sample == 0) {
     ++counts.tiles;
     counts.tiles_culled += b.candidates.empty();
@@ -95,41 +106,62 @@ void render_sample(const FrameSample& place, int tx, int ty, HitStream* found, T
   dress_hits(frame, sample == 0 ? frame.features.first_sample : frame.features.other_samples, b);
   if (sample == 0) write_layers(frame, b.primary, film, counts);
   if (sample == 0 && frame.features.silhouettes) keep_hits(frame, b.primary, target.pixels);
-  if (frame.features.shade) add_colors(frame, b, film, counts);
+  if (!frame.features.shade) return;
+  if (cover) add_cover(frame, *cover, b, film, counts);
+  else add_colors(frame, b, film, counts);
+}
+
+TileCover tile_cover(BlockCover& cover, int x, int y) {
+  const int tile = x + kBlockTiles * y;
+  return {cover.share[tile], cover.open[tile], cover.spare.is_open(x, y) ? &cover.spare.tile(x, y) : nullptr};
 }
 
 // All samples of one block of tiles.
 void render_block(std::span<const FrameSample> samples, int bx, int by, Worker& worker, Target& target,
-                  Progress* progress) {
+                  std::stop_token stop, Progress* progress) {
   if (!worker.block) worker.block = std::make_unique_for_overwrite<BlockHits>();
   BlockHits& block = *worker.block;
   const View& view = samples.front().frame.view;
   const int columns = std::min(kBlockTiles, tiles_along(view.width()) - bx * kBlockTiles),
             rows = std::min(kBlockTiles, tiles_along(view.height()) - by * kBlockTiles);
   for (const FrameSample& sample : samples) {
-    block.reset(sample.frame.proves);
+    block.reset(sample.frame.proves, stop);
     for (const auto& pass : sample.frame.passes)
-      if (pass) pass->first_hits(bx, by, sample.u, sample.v, block, worker.counts.trace);
+      if (pass && !stop.stop_requested())
+        pass->first_hits(bx, by, sample.u, sample.v, block, worker.counts.trace);
+    const CoveragePass* const coverage = sample.frame.coverage.get();
+    if (coverage && !worker.cover) worker.cover = std::make_unique_for_overwrite<BlockCover>();
+    if (coverage && !stop.stop_requested()) coverage->cover(bx, by, *worker.cover, worker.counts.trace);
     for (int y = 0; y < rows; ++y)
-      for (int x = 0; x < columns; ++x)
+      for (int x = 0; x < columns; ++x) {
+        if (stop.stop_requested()) return;
+        const TileCover cover = coverage ? tile_cover(*worker.cover, x, y) : TileCover();
         render_sample(sample, bx * kBlockTiles + x, by * kBlockTiles + y,
-                      block.is_open(x, y) ? &block.tile(x, y) : nullptr, *worker.buffers, target,
-                      worker.counts);
+                      block.is_open(x, y) ? &block.tile(x, y) : nullptr, coverage ? &cover : nullptr,
+                      *worker.buffers, target, worker.counts);
+        if (progress && &sample == &samples.back()) progress->add();
+      }
   }
-  if (progress) progress->add(columns * rows);
 }
 
 Frame make_frame(const Scene& scene, const View& view, const RenderSettings& settings, const Film& film,
                  const std::shared_ptr<const ObjectHierarchy>& hierarchy) {
-  const bool proves =
-      std::ranges::all_of(scene.objects, [](const SceneObject& o) { return o.surface->proves(); });
-  Frame frame{scene,  view,      settings,      find_features(scene, film, settings), {}, {}, {}, {}, {},
-              proves, hierarchy, scene.bounds()};
+  Frame frame{scene, view, settings, find_features(scene, film, settings)};
+  frame.proves = std::ranges::all_of(scene.objects, [](const SceneObject& o) { return o.surface->proves(); });
+  frame.hierarchy = hierarchy;
+  frame.bounds = scene.bounds();
   for (const Double3& light : scene.lights) frame.lights.push_back(normalized(light));
   for (int ids = 0; const SceneObject& object : scene.objects) {
     frame.objects.push_back(static_cast<std::uint16_t>(frame.objects.size()));
     frame.first_id.push_back(ids);
     ids += static_cast<int>(object.materials.size());
+  }
+  if (frame.features.coverage) {
+    if (scene.objects.size() == 1) frame.coverage = scene.objects.front().surface->coverage(view);
+    if (!frame.coverage)
+      throw InputError(
+          "found a scene whose shares of pixels nobody can tell, expected one whole formula for --aa "
+          "coverage");
   }
   // crossings of several objects wait for their turn, ray by ray
   if (frame.features.transparency && scene.objects.size() > 1) return frame;
@@ -162,8 +194,9 @@ class Samples {
   [[nodiscard]] std::span<const FrameSample> all() const { return all_; }
   /// That of the centres.
   [[nodiscard]] const Frame& frame() const { return all_.front().frame; }
-  [[nodiscard]] bool any_pass() const {
-    return std::ranges::any_of(frames_, [](const auto& one) { return !one.second->passes.empty(); });
+  [[nodiscard]] bool by_blocks() const {
+    return std::ranges::any_of(
+        frames_, [](const auto& one) { return !one.second->passes.empty() || one.second->coverage; });
   }
 
  private:
@@ -184,6 +217,7 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
   misses += other.misses;
   undecided += other.undecided;
   blended += other.blended;
+  blended_open += other.blended_open;
   tiles += other.tiles;
   tiles_culled += other.tiles_culled;
   trace += other.trace;
@@ -204,13 +238,14 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
     target.pixels.resize(std::size_t(view.width()) * static_cast<std::size_t>(view.height()));
   oneapi::tbb::combinable<Worker> workers;
   const int tiles = tiles_along(view.width());
-  if (!samples.any_pass())
+  if (!samples.by_blocks())
     oneapi::tbb::parallel_for(std::int64_t(0), tile_count(view), [&](std::int64_t tile) {
       Worker& worker = workers.local();
-      for (const FrameSample& sample : samples.all())
-        if (!stop.stop_requested())
-          render_sample(sample, static_cast<int>(tile % tiles), static_cast<int>(tile / tiles), nullptr,
-                        *worker.buffers, target, worker.counts);
+      for (const FrameSample& sample : samples.all()) {
+        if (stop.stop_requested()) return;
+        render_sample(sample, static_cast<int>(tile % tiles), static_cast<int>(tile / tiles), nullptr,
+                      nullptr, *worker.buffers, target, worker.counts);
+      }
       if (progress) progress->add();
     });
   else {
@@ -218,7 +253,7 @@ RenderCounts render(const Scene& scene, const View& view, const RenderSettings& 
               rows = (tiles_along(view.height()) + kBlockTiles - 1) / kBlockTiles;
     oneapi::tbb::parallel_for(0, blocks * rows, [&](int block) {
       if (stop.stop_requested()) return;
-      render_block(samples.all(), block % blocks, block / blocks, workers.local(), target, progress);
+      render_block(samples.all(), block % blocks, block / blocks, workers.local(), target, stop, progress);
     });
   }
   if (stop.stop_requested()) throw Interrupted();

@@ -104,6 +104,35 @@ TEST_CASE("without depth the mask comes from z, id or alpha") {
             .mask.both == 2);
 }
 
+TEST_CASE("every layer is compared, whatever its names; cost and certificate do not decide") {
+  const std::vector<std::string> plain = {"depth", "position.X", "position.Y",  "position.Z",
+                                          "value", "albedo.R",   "albedo.G",    "albedo.B",
+                                          "id",    "object",     "certificate", "cost"},
+                                 compositor = {"depth.Z", "P.X",      "P.Y",           "P.Z",
+                                               "value.X", "albedo.R", "albedo.G",      "albedo.B",
+                                               "id.X",    "object.X", "certificate.X", "cost.X"};
+  std::vector<std::vector<float>> a(12, {1, 1}), b = a;
+  CHECK(compare_images(picture(plain, a), picture(compositor, b)).within(0));
+  b[10] = {0, 0.5f}, b[11] = {7, 100};
+  const Comparison methods = compare_images(picture(plain, a), picture(compositor, b));
+  CHECK(methods.within(0));
+  REQUIRE(methods.layers.size() == 8);
+  CHECK(methods.layers[7].max == 99);
+  CHECK_FALSE(methods.layers[7].decides);
+  for (const auto& [channel, difference] : {std::pair{2, 0.25}, {4, 3.0}, {6, 0.5}, {8, 1.0}, {9, 1.0}}) {
+    std::vector<std::vector<float>> c = a;
+    c[static_cast<std::size_t>(channel)][1] += channel == 8 ? 4.0f : static_cast<float>(difference);
+    const Comparison found = compare_images(picture(plain, a), picture(compositor, c));
+    INFO(plain[static_cast<std::size_t>(channel)]);
+    CHECK_FALSE(found.within(0.2));
+    CHECK(found.within(difference));
+  }
+  const Comparison other =
+      compare_images(picture({"depth", "z"}, {{1}, {1}}), picture({"depth", "id"}, {{1}, {1}}));
+  CHECK(other.only_a == std::vector<std::string>{"z"});
+  CHECK(other.only_b == std::vector<std::string>{"id"});
+}
+
 TEST_CASE("the picture of differences: black, grey, white, red, blue") {
   const Comparison c = compare_images(depths({1, 1, 1, 1, kInf}), depths({1, 1.001f, 2, kInf, 1}));
   const std::vector<float> rgba = difference_picture(c);

@@ -37,3 +37,15 @@ TEST_CASE("the first signal asks to stop, the second ends the process") {
   REQUIRE(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 130);
 }
+
+TEST_CASE("unwanted work is interrupted, and only that") {
+  CHECK_NOTHROW(throw_if_interrupted());
+  std::stop_source source;
+  {
+    const InterruptibleWork work(source.get_token());
+    CHECK_NOTHROW(throw_if_interrupted());
+    source.request_stop();
+    CHECK_THROWS_AS(throw_if_interrupted(), Interrupted);
+  }
+  CHECK_NOTHROW(throw_if_interrupted());
+}

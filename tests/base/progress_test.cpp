@@ -52,3 +52,18 @@ TEST_CASE("progress draws a bar on a terminal and clears it") {
   const std::string text(shown, static_cast<std::size_t>(size));
   CHECK(text == "\rwork [" + std::string(30, '#') + std::string(10, '.') + "]  75 %\r\033[K");
 }
+
+TEST_CASE("a watch is told of the latest work instead of the terminal") {
+  ProgressWatch watch;
+  CHECK(watch.work().share == 0);
+  Progress first("first", 4);
+  first.add(3);
+  CHECK(watch.work().what == "first");
+  CHECK(watch.work().share == 0.75);
+  Progress second("second", 10);
+  CHECK(watch.work().what == "second");
+  CHECK(watch.work().share == 0);
+  second.add(100);
+  CHECK(watch.work().share == 1);
+  CHECK(first.done() == 3);
+}

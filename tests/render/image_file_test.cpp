@@ -119,7 +119,7 @@ TEST_CASE("an EXR gives every layer back bit for bit") {
   const Image image = read_exr(folder / "p.exr");
   CHECK(image.width == 37);
   CHECK(image.height == 70);
-  CHECK(image.channels.size() == 16);
+  CHECK(image.channels.size() == 20);
   CHECK(image.at(5, 0, image.channel("depth")) == kInf);
   CHECK(image.channel("speed") == -1);
   for (const ImageLayer& layer : image_layers(film)) {
@@ -143,6 +143,29 @@ TEST_CASE("layers carry the names of interface and film") {
   CHECK(layers[0].channels == std::vector<std::string>{"depth"});
   CHECK(layers[1].channels == std::vector<std::string>{"normal.X", "normal.Y", "normal.Z"});
   CHECK(image_layers(film).front().channels == std::vector<std::string>{"R", "G", "B", "A"});
+}
+
+TEST_CASE("layers have the names that compositors look for, and a file says what it was told") {
+  const TemporaryFolder folder;
+  std::vector<Layer> layers;
+  for (int i = 0; i < kLayerCount; ++i) layers.push_back(static_cast<Layer>(i));
+  const Film film = numbered_film(8, 6, layers);
+  const std::vector<ImageLayer> named = image_layers(film, true, ChannelNames::compositor);
+  std::vector<std::string> names;
+  for (const ImageLayer& layer : named)
+    names.insert(names.end(), layer.channels.begin(), layer.channels.end());
+  const std::vector<std::string> expected = {
+      "R",        "G",        "B",        "A",       "depth.Z", "Z",       "N.X",    "N.Y",
+      "N.Z",      "P.X",      "P.Y",      "P.Z",     "id.X",    "value.X", "cost.X", "certificate.X",
+      "object.X", "albedo.R", "albedo.G", "albedo.B"};
+  CHECK(names == expected);
+  write_exr(folder / "p.exr", 8, 6, named, {{"isocast:scene", "1234"}, {"isocast:method", "affine"}});
+  const Image image = read_exr(folder / "p.exr");
+  for (const std::string& name : expected) CHECK(image.channel(name) >= 0);
+  CHECK(image.at(3, 2, image.channel("Z")) == film.layer(Layer::z)[3 + 2 * 8]);
+  const auto attributes = exr_attributes(bytes_of(folder / "p.exr"));
+  CHECK(attributes.at("isocast:scene") == "1234");
+  CHECK(attributes.at("isocast:method") == "affine");
 }
 
 TEST_CASE("the same pixels give the same bytes, without time, host or program") {

@@ -161,7 +161,7 @@ TEST_CASE("a mirroring plane shows the second hit where it is") {
     if (second.discriminant > 0) {
       ++seen;
       const Double3 normal = (p - center) + second.near * r;
-      const Color dull = ambient(color), shine = lit(color, normal, light, -1.0 * r);
+      const Color dull = ambient(color), shine = lit({color}, normal, light, -1.0 * r);
       for (int c = 0; c < 3; ++c) expected[c] = dull[c] + shine[c];
     }
     const float* pixel = film.color(id);

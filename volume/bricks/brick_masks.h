@@ -27,7 +27,9 @@ class IsoMasks {
   /// The masks made so far, by number of the brick; null: not made yet, no bits: no cell is active. To be
   /// read atomically.
   [[nodiscard]] const BrickMask* const* made() const { return masks_.data(); }
-  /// Memory of the masks made so far.
+  /// Bricks that may have masks, those made so far that hold active cells, and the memory of all.
+  [[nodiscard]] std::size_t bricks() const { return masks_.size(); }
+  [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] std::size_t bytes() const;
 
  private:

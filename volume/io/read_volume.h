@@ -20,6 +20,7 @@ struct ReadOptions {
   bool big_endian = false;
   std::uint64_t skip = 0;
   std::string grid = {};
+  bool operator==(const ReadOptions&) const = default;
 
   /// Whether anything is set that only .raw files need.
   [[nodiscard]] bool describes_raw() const { return dims || type || big_endian || skip; }

@@ -41,8 +41,10 @@ void VolumePass::first_hits(int bx, int by, double offset_u, double offset_v, Bl
   patch.offset_u = offset_u;
   patch.offset_v = offset_v;
   for (int y = by * kPatchesPerBlock; y < std::min((by + 1) * kPatchesPerBlock, bricks_.rows); ++y)
-    for (int x = bx * kPatchesPerBlock; x < std::min((bx + 1) * kPatchesPerBlock, bricks_.columns); ++x)
+    for (int x = bx * kPatchesPerBlock; x < std::min((bx + 1) * kPatchesPerBlock, bricks_.columns); ++x) {
+      if (hits.unwanted()) return;
       trace_patch(x, y, hits, patch, counts);
+    }
 }
 
 void VolumePass::trace_patch(int px, int py, BlockHits& hits, PatchState& patch, TraceCounts& counts) const {

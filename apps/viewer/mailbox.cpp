@@ -1,0 +1,59 @@
+#include <isocast/apps/viewer/mailbox.h>
+
+namespace isocast::viewer {
+
+void RunningWork::end() {
+  if (stop.stop_requested()) return;
+  stopped = Clock::now();
+  tiles = progress ? progress->done() : 0;
+  stop.request_stop();
+}
+
+void Mailbox::put(std::shared_ptr<const Wish> wish) {
+  const std::uint64_t revision = wish->revision;
+  wish_.store(std::move(wish));
+  revision_ = revision;
+  nudge();
+  wake();
+}
+
+void Mailbox::nudge() {
+  if (!closed_ && revision_ <= worked_on_) return;
+  const std::shared_ptr<RunningWork> running = running_.load();
+  if (running && (closed_ || Clock::now() >= running->stays_until)) running->end();
+}
+
+void Mailbox::end_now(std::uint64_t before) {
+  const std::shared_ptr<RunningWork> running = running_.load();
+  if (running && running->revision < before) running->end();
+}
+
+void Mailbox::close() {
+  closed_ = true;
+  nudge();
+  wake();
+}
+
+void Mailbox::wake() {
+  ++bell_;
+  bell_.notify_all();
+}
+
+std::shared_ptr<const Wish> Mailbox::wait_for_newer(std::uint64_t revision) {
+  if (!has_newer(revision) && !closed_) bell_.wait(heard_);
+  heard_ = bell_;
+  return closed_ ? nullptr : wish_.load();
+}
+
+Mailbox::Work::Work(Mailbox& mailbox, std::uint64_t revision, double stays_ms, const Progress* progress)
+    : mailbox_(mailbox), running_(std::make_shared<RunningWork>()) {
+  running_->progress = progress;
+  running_->revision = revision;
+  running_->stays_until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                             std::chrono::duration<double, std::milli>(stays_ms));
+  mailbox.worked_on_ = revision;
+  mailbox.running_.store(running_);
+  mailbox.nudge();
+}
+
+}  // namespace isocast::viewer

@@ -1,0 +1,189 @@
+#include <isocast/apps/viewer/make_picture.h>
+#include <isocast/apps/viewer/render_loop.h>
+#include <isocast/base/error.h>
+#include <isocast/base/interrupt.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace isocast::viewer {
+namespace {
+
+// One sample a pixel and edges as they are: what comes before the final picture.
+RenderSettings quick(RenderSettings settings) {
+  settings.spp = 1;
+  settings.silhouettes = settings.coverage = false;
+  return settings;
+}
+
+// What decides how long a picture takes, apart from where it is seen from.
+std::vector<std::string> traced_words(const RenderWords& words) {
+  std::vector<std::string> list = source_of(words);
+  list.insert(list.end(), {words.method, words.precision, words.isa, words.shadows ? "shadows" : ""});
+  return list;
+}
+
+void raise_to(std::atomic<double>& largest, double value) { largest = std::max(largest.load(), value); }
+
+}  // namespace
+
+RenderLoop::RenderLoop(std::function<void()> tell) : tell_(std::move(tell)), thread_([this] { run(); }) {}
+RenderLoop::~RenderLoop() { mailbox_.close(); }
+
+std::uint64_t RenderLoop::ask(Wish wish) {
+  wish.revision = ++asked_;
+  std::vector<std::string> source = source_of(wish.words);
+  const bool other = source != source_;
+  source_ = std::move(source);
+  mailbox_.put(std::make_shared<const Wish>(std::move(wish)));
+  if (other) mailbox_.end_now(asked_);
+  return asked_;
+}
+
+void RenderLoop::post(Job job) {
+  idle_.post(std::move(job));
+  if (in_extras_) mailbox_.end_now();
+  mailbox_.wake();
+}
+
+bool RenderLoop::at_rest() const { return asked_ > 0 && rested_ == asked_ && idle_.empty(); }
+
+void RenderLoop::run() {
+  std::uint64_t done = 0;
+  while (!mailbox_.closed()) {
+    const std::shared_ptr<const Wish> wish = mailbox_.wait_for_newer(done);
+    if (mailbox_.closed() || !wish) continue;
+    done = wish->revision;
+    try {
+      fulfil(*wish);
+      if (!mailbox_.has_newer(done)) rested_ = done;
+      tell_();
+    } catch (const Interrupted&) {  // something newer is there, or the end
+      in_extras_ = false;
+    } catch (const std::exception& problem) {
+      publish_news(done, problem.what());
+      rested_ = done;
+    }
+  }
+}
+
+void RenderLoop::fulfil(const Wish& wish) {
+  if (complete_ != wish.revision) {
+    load(wish);
+    if (!keeper_.any()) return idle_.forget();
+    make_pictures(wish);
+    if (mailbox_.has_newer(wish.revision)) return;
+    complete_ = wish.revision;
+  }
+  const std::shared_ptr<const Picture> picture = picture_.load();
+  if (!view_ || !picture) return idle_.forget();
+  const Mailbox::Work work(mailbox_, wish.revision, 0);
+  const InterruptibleWork interruptible(work.stop());
+  const JobScene scene{keeper_, *view_, *picture, work.stop()};
+  idle_.run(scene);
+  if (rested_ != wish.revision) {
+    in_extras_ = true;
+    idle_.run_extras(scene, wish, [this](Picture shown) { show(std::move(shown)); });
+    in_extras_ = false;
+  }
+}
+
+void RenderLoop::load(const Wish& wish) {
+  const Mailbox::Work work(mailbox_, wish.revision, kStays);
+  const InterruptibleWork interruptible(work.stop());
+  loading_ = true;
+  std::string error;
+  try {
+    keeper_.show(wish.words);
+  } catch (const InputError& problem) { error = problem.what(); } catch (const Interrupted&) {
+    error = "loading was cancelled";
+  } catch (const std::exception& problem) { error = problem.what(); }
+  loading_ = false;
+  publish_news(wish.revision, error);
+}
+
+void RenderLoop::publish_news(std::uint64_t revision, const std::string& error) {
+  SceneNews news = keeper_.news();
+  news.revision = revision;
+  news.error = error;
+  counts_.scenes = news.scene;
+  news_ = std::make_shared<const SceneNews>(std::move(news));
+  tell_();
+}
+
+void RenderLoop::make_pictures(const Wish& wish) {
+  const auto [width, height] = parse_size(wish.words.size);
+  // as far as the words are understood: their scene may be one that cannot be built
+  CameraWishes wishes = keeper_.description().camera;
+  change_camera(wish.words, wishes);
+  const Camera camera = frame(keeper_.built().scene.bounds(), wishes, double(width) / height);
+  const RenderSettings final = settings_of(wish.words, keeper_.description().wishes);
+  const bool smooth = final.spp > 1 || final.silhouettes;
+  if (std::vector<std::string> traced = traced_words(wish.words); traced != traced_) {
+    budget_.forget();
+    traced_ = std::move(traced);
+  }
+  int divisor = wish.hold_full ? 1 : budget_.divisor(wish.budget_ms);
+  const int first = divisor;
+  for (;;) {
+    const View view(camera, (width + divisor - 1) / divisor, (height + divisor - 1) / divisor);
+    const Stage stage = divisor > 1 ? divisor == first ? Stage::preview : Stage::coarse
+                        : smooth    ? Stage::full
+                                    : Stage::final;
+    const bool stays = divisor == first && (wish.hold_full || divisor == kCoarsest);
+    const double stays_ms = divisor < first ? 0 : stays ? kStays : 1.5 * wish.budget_ms;
+    if (!make_picture(wish, view, quick(final), stage, divisor, stays_ms)) return;
+    if (divisor == 1) break;
+    divisor = divisor <= 4 ? 1 : divisor / 4;
+  }
+  view_.emplace(camera, width, height);
+  if (smooth) make_picture(wish, *view_, final, Stage::final, 1, 0);
+}
+
+bool RenderLoop::make_picture(const Wish& wish, const View& view, const RenderSettings& settings, Stage stage,
+                              int divisor, double stays_ms) {
+  const Clock::time_point start = Clock::now();
+  const auto film = std::make_shared<Film>(view.width(), view.height(), layers_of(wish.overlay));
+  Progress progress("rendering", tile_count(view));
+  const Mailbox::Work work(mailbox_, wish.revision, stays_ms, &progress);
+  Picture picture;
+  try {
+    picture.counts = render(keeper_.built().scene, view, settings, *film, work.stop(), &progress);
+  } catch (const Interrupted&) {
+    const RunningWork& running = work.running();
+    ++counts_.cancelled;
+    counts_.tiles_rendered += progress.done();
+    counts_.tiles_cancelled += tile_count(view) - progress.done();
+    counts_.tiles_after_end = std::max(counts_.tiles_after_end.load(), progress.done() - running.tiles);
+    raise_to(counts_.longest_end_ms, ms_since(running.stopped));
+    budget_.note_ended(divisor, ms_since(start));
+    throw;
+  }
+  picture.ms = ms_since(start);
+  if (settings.spp == 1 && !settings.silhouettes) budget_.note(divisor, picture.ms);
+  picture.rgba = screen_pixels(*film, wish.overlay);
+  picture.film = film;
+  picture.revision = wish.revision;
+  picture.stage = stage;
+  picture.divisor = divisor;
+  picture.width = view.width(), picture.height = view.height();
+  picture.latency_ms = ms_since(wish.made);
+  if (stage == Stage::preview) {
+    raise_to(counts_.longest_preview_ms, picture.ms);
+    counts_.late_previews += picture.ms > wish.budget_ms;
+  }
+  counts_.tiles_rendered += progress.done();
+  ++counts_.pictures[static_cast<std::size_t>(stage)];
+  if (first_of_ != wish.revision) counts_.first.add(picture.latency_ms);
+  first_of_ = wish.revision;
+  if (stage == Stage::final) counts_.complete.add(picture.latency_ms);
+  show(std::move(picture));
+  return !mailbox_.has_newer(wish.revision);
+}
+
+void RenderLoop::show(Picture picture) {
+  picture_ = std::make_shared<const Picture>(std::move(picture));
+  tell_();
+}
+
+}  // namespace isocast::viewer

@@ -1,0 +1,55 @@
+// The scene behind the pictures: a new wish changes as little of it as possible.
+#pragma once
+
+#include <isocast/apps/viewer/wish.h>
+
+#include <optional>
+
+namespace isocast::viewer {
+
+/// Of the render thread.
+class SceneKeeper {
+ public:
+  /// Makes the scene that of these words. Another input is loaded and built; of a volume another method,
+  /// iso-values, looks and lights rebuild nothing, of a formula iso-values, looks and lights. Throws
+  /// InputError, and Interrupted where the work is unwanted: then the scene is what it was, and the same
+  /// source is not tried again.
+  void show(const RenderWords& words);
+
+  [[nodiscard]] bool any() const { return built_.has_value(); }
+  [[nodiscard]] BuiltScene& built() { return *built_; }
+  [[nodiscard]] const SceneDescription& description() const { return description_; }
+  [[nodiscard]] const RenderWords& words() const { return words_; }
+  /// How many scenes there have been.
+  [[nodiscard]] int scene() const { return scene_; }
+  /// What the interface needs to know of it.
+  [[nodiscard]] SceneNews news() const;
+
+ private:
+  void build(const RenderWords& words, const SceneDescription& description);
+  void change(const RenderWords& words, const SceneDescription& description);
+
+  std::optional<BuiltScene> built_;
+  SceneDescription description_;
+  RenderWords words_;
+  std::vector<std::string> source_, failed_;
+  std::string failure_;
+  int scene_ = 0;
+};
+
+/// Puts the first object's method back when it goes: others may be tried meanwhile.
+class MethodRestorer {
+ public:
+  explicit MethodRestorer(SceneKeeper& keeper) : keeper_(keeper) {}
+  ~MethodRestorer();
+  MethodRestorer(const MethodRestorer&) = delete;
+  MethodRestorer& operator=(const MethodRestorer&) = delete;
+
+ private:
+  SceneKeeper& keeper_;
+};
+
+/// Everything of the words that makes it another scene, which must be loaded or built.
+[[nodiscard]] std::vector<std::string> source_of(const RenderWords& words);
+
+}  // namespace isocast::viewer
