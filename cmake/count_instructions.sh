@@ -4,7 +4,7 @@
 # usage: count_instructions.sh ISOCAST [SIZE]
 set -euo pipefail
 isocast=$(realpath "${1:?usage: count_instructions.sh ISOCAST [SIZE]}")
-size=${2:-192x192}
+size=${2:-256x256}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -13,23 +13,26 @@ cd "$folder"
 scene() {
   echo '{"isocast": 1, "objects": [{"name": "a", "type": "surface", "id": "barth_sextic", "method": "affine"'"$2"'}]'"$3"'}' >"$1.json"
 }
+# instructions SIZE ARGUMENT...
 instructions() {
-  valgrind --tool=cachegrind --cache-sim=no --cachegrind-out-file=/dev/null "$isocast" render "$@" \
-    --size "$size" --isa avx2 --threads 1 -o picture.png 2>&1 | awk '/I *refs:/ {gsub(",", "", $NF); print $NF}'
+  valgrind --tool=cachegrind --cache-sim=no --cachegrind-out-file=/dev/null "$isocast" render "${@:2}" \
+    --size "$1" --isa avx2 --threads 1 -o picture.png 2>&1 | awk '/I *refs:/ {gsub(",", "", $NF); print $NF}'
 }
 
 worst=0
-# compare FEATURE BASE COUNT: prints the share
+# compare FEATURE BASE ARGUMENT...: prints the share of what the picture takes beyond the program's start
 compare() {
   local count
-  count=$(instructions "${@:3}")
-  awk -v feature="$1" -v base="$2" -v count="$count" 'BEGIN {
-    share = 100 * (count - base) / base
+  count=$(instructions "$size" "${@:3}")
+  awk -v feature="$1" -v base="$2" -v start="$start" -v count="$count" 'BEGIN {
+    share = 100 * (count - base) / (base - start)
     printf "%-28s %14d  %+.3f %%\n", feature, count, share
     exit share > 1 }' || worst=1
 }
 
-base=$(instructions @barth_sextic --method affine)
+start=$(instructions 1x1 @barth_sextic --method affine)
+printf "%-28s %14d\n" "the start of the program" "$start"
+base=$(instructions "$size" @barth_sextic --method affine)
 printf "%-28s %14d\n" "the picture alone" "$base"
 scene plain "" ""
 compare "a scene file" "$base" plain.json
@@ -39,7 +42,7 @@ compare "--opacity 1" "$base" @barth_sextic --method affine --opacity 1 --reflec
 compare "--shadows, no light" "$base" @barth_sextic --method affine --shadows
 compare "--ambient-occlusion 0" "$base" @barth_sextic --method affine --ambient-occlusion 0
 
-base=$(instructions plain.json)
+base=$(instructions "$size" plain.json)
 scene one ', "transform": {"scale": 1, "rotate": [0, 0, 1, 0], "translate": [0, 0, 0]}' ''
 compare "transform: identity" "$base" one.json
 scene one ', "clip": []' ''

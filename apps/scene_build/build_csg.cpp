@@ -38,6 +38,11 @@ void build_csg(ObjectSurface& object, const CsgSource& source, const ObjectDescr
                const BuildContext& context) {
   CsgPart whole{source.operation, {}, {}};
   for (ObjectDescription description : source.of) {
+    if (!description.clips.empty() || description.color_by)
+      throw InputError(
+          fmt::format("object '{}': found clip or color_by in an operand, expected them in the csg "
+                      "(what an operand keeps is an intersection)",
+                      wanted.name));
     description.place = wanted.place * description.place;
     const ObjectSurface built = build_object(description, context);
     whole.parts.push_back(operand(built, context.number, object.materials));

@@ -24,7 +24,6 @@ struct SceneRules {
   const Rule kText = {.kind = text, .meaning = "a text", .lo = 1, .hi = 1 << 20};
   const Rule kName = {.kind = text, .meaning = "a name", .lo = 1, .hi = 200};
   const Rule kFrame = {.kind = integer, .meaning = "the number of a frame", .lo = 0, .hi = 999999};
-  const Rule kTwo = {.kind = list, .meaning = "two numbers", .lo = 2, .hi = 2, .parts = {&kNumber}};
   const Rule kThree = {.kind = list, .meaning = "three numbers", .lo = 3, .hi = 3, .parts = {&kNumber}};
   const Rule kFour = {.kind = list, .meaning = "four numbers", .lo = 4, .hi = 4, .parts = {&kNumber}};
   const Rule kRgb = {.kind = list, .meaning = "red, green and blue", .lo = 3, .hi = 3, .parts = {&kShare}};
@@ -130,7 +129,7 @@ struct SceneRules {
                {"expr", &kText, "a formula of x y z w"},
                {"params", &kParameters, "of the formula"},
                {"map", &kMap, "viridis (default) plasma magma inferno grey coolwarm, or a file"},
-               {"range", &kTwo, "values of the ends of the map"},
+               {"range", &kInterval, "values of the ends of the map"},
                {"log", &kFlag, "the map follows the logarithm"},
                {"nan_color", &kColor, "where there is no value"},
                {"dims", &kDims, "of a .raw file"},

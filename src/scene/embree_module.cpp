@@ -112,6 +112,7 @@ class EmbreeTree final : public BoxTree {
     bool any = false;
     for (int l = 0; l < kPacketSize; ++l) {
       valid[l] = first + l < rays.size && enter(rays, first + l, l, query, packet.ray) ? -1 : 0;
+      if (!valid[l]) close(l, packet.ray);
       packet.hit.geomID[l] = packet.hit.instID[0][l] = RTC_INVALID_GEOMETRY_ID;
       any = any || valid[l];
     }
@@ -149,6 +150,14 @@ class EmbreeTree final : public BoxTree {
     ray.id[l] = static_cast<unsigned>(l);
     ray.flags[l] = 0;
     return true;
+  }
+
+  // A lane without a ray, which Embree computes with all the same.
+  static void close(int l, RTCRay16& ray) {
+    ray.org_x[l] = ray.org_y[l] = ray.org_z[l] = ray.dir_x[l] = ray.dir_y[l] = 0;
+    ray.dir_z[l] = ray.tnear[l] = 1;
+    ray.tfar[l] = ray.time[l] = 0;
+    ray.mask[l] = ray.flags[l] = ray.id[l] = 0;
   }
 
   std::vector<Box> boxes_;

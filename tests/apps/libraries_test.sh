@@ -42,6 +42,15 @@ run render "$folder/ball.raw" --dims 16,16,16 --type f32 --iso 0 --size 16x16 -o
 expect_loaded isocast_image
 expect_loaded OpenImageIO
 expect_not_loaded isocast_nifti nifti embree flint
+if [[ -e $(dirname "$program")/../lib/isocast/isocast_embree.so ]]; then
+  ball='{"type": "formula", "expr": "x^2+y^2+z^2-1"}'
+  echo '{"isocast": 1, "objects": ['"$ball"']}' >"$folder/one.json"
+  echo '{"isocast": 1, "objects": ['"$ball, $ball"']}' >"$folder/two.json"
+  run render "$folder/one.json" --size 16x16 -o "$folder/one.png"
+  expect_not_loaded isocast_nifti embree
+  run render "$folder/two.json" --size 16x16 -o "$folder/two.png"
+  expect_loaded isocast_embree
+fi
 run probe 'x^2+y^2+z^2-1' --pixel 8,8 --size 16x16
 expect_loaded isocast_reference
 expect_loaded flint

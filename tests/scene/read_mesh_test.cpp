@@ -2,12 +2,14 @@
 #include <input_error.h>
 #include <isocast/scene/mesh/mesh.h>
 #include <temporary_folder.h>
+#include <test_size.h>
 
 #include <algorithm>
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <fstream>
+#include <random>
 
 using namespace isocast;
 using test::says;
@@ -136,4 +138,36 @@ TEST_CASE("PLY: lies are told") {
   refuse("a.ply", start + "-3 0 1 2\n", "found a list of -3");
   refuse("a.ply", start + "2000000000 0 1 2\n", "more than the file has bytes left");
   refuse("a.ply", start + "3 0 x 2\n", "expected a number");
+}
+
+TEST_CASE("meshes with mistakes anywhere are read or told, and nothing else", "[property]") {
+  std::mt19937_64 random(1);
+  std::string binary = header("binary_little_endian", 3, 1);
+  for (int i = 0; i < 3; ++i)
+    put(binary, float(i == 1), false), put(binary, double(i == 2), false),
+        put(binary, std::uint8_t{7}, false), put(binary, std::int16_t{0}, false);
+  put(binary, std::int32_t{99}, false), put(binary, std::uint8_t{3}, false);
+  for (std::uint32_t k = 0; k < 3; ++k) put(binary, k, false);
+  put(binary, 0.5f, false);
+  const std::pair<const char*, std::string> files[] = {
+      {"m.obj", kSquare + "vn 0 0 1\nf 1//1 2//1 3//1\nf -4 -3 -2 -1\n"},
+      {"m.ply",
+       header("ascii", 4, 2) + "0 0 7 0\n1 0 7 0\n1 1 7 -3\n0 1 7 0\n 99\n4 0 1 2 3 0.5\n3 0 1 2 0.5\n"},
+      {"m.ply", binary}};
+  int told = 0;
+  for (const auto& [name, good] : files)
+    for (std::int64_t n = test::cases(500, 20000); n > 0; --n) {
+      std::string bytes = good;
+      for (std::uint64_t mistakes = 1 + random() % 3; mistakes > 0 && !bytes.empty(); --mistakes) {
+        const std::size_t at = random() % bytes.size();
+        if (random() % 3 == 0) bytes.erase(at, 1 + random() % 9);
+        else bytes[at] = random() % 2 ? static_cast<char>(random()) : "0123456789 -/\n"[random() % 14];
+      }
+      try {
+        const Mesh mesh = read(name, bytes);
+        for (const auto& triangle : mesh.triangles)
+          for (const std::uint32_t corner : triangle) CHECK(corner < mesh.positions.size());
+      } catch (const InputError&) { ++told; }
+    }
+  CHECK(told > 300);
 }

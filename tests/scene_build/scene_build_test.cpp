@@ -148,4 +148,15 @@ TEST_CASE("what cannot be built is told") {
   CHECK_THROWS_MATCHES(built(R"({"type": "mesh", "file": "none.ply"})"), InputError, says("none.ply"));
   CHECK_THROWS_MATCHES(built(ball(R"(, "method": "marmitt")")), InputError, says("marmitt"));
   CHECK_THROWS_MATCHES(built(ball(R"(, "set": {"epss": 1})")), InputError, says("epss"));
+  const auto united = [](const std::string& more) {
+    return record(std::string(R"("type": "csg", "op": "union", "of": [)")
+                      .append(ball(more))
+                      .append(", ")
+                      .append(ball(""))
+                      .append("]"));
+  };
+  CHECK_THROWS_MATCHES(built(united(R"(, "clip": [{"plane": [1, 0, 0, 0]}])")), InputError,
+                       says("in an operand"));
+  CHECK_THROWS_MATCHES(built(united(R"(, "color_by": {"expr": "x"})")), InputError, says("in an operand"));
+  CHECK_THROWS_MATCHES(built(united(R"(, "color_components": true)")), InputError, says("in an operand"));
 }

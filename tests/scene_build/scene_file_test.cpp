@@ -2,8 +2,10 @@
 #include <input_error.h>
 #include <isocast/apps/scene_build/scene_file.h>
 #include <isocast/apps/scene_build/scene_json.h>
+#include <test_size.h>
 
 #include <catch2/catch.hpp>
+#include <random>
 
 using namespace isocast;
 using test::says;
@@ -23,10 +25,7 @@ void refuse_object(const std::string& object, const std::string& sentence) {
   refuse(R"({"isocast": 1, "objects": [)" + object + "]}", sentence);
 }
 
-}  // namespace
-
-TEST_CASE("the keys of interface.md mean what they say") {
-  const SceneDescription scene = scene_from_text(R"(
+const char* const kScene = R"(
     // comments are allowed
     { "isocast": 1,
       "cameras": {"near": {"position": [1, 2, 3], "fov": 30}, "far": {"ortho": 5}}, /* these too */
@@ -43,8 +42,12 @@ TEST_CASE("the keys of interface.md mean what they say") {
         {"type": "surface", "id": "barth_decic", "time": 7},
         {"type": "mesh", "file": "/meshes/bunny.ply"},
         {"type": "csg", "op": "difference", "of": [{"type": "formula", "expr": "x"}, {"type": "formula", "expr": "y"}]},
-        {"type": "instance", "of": "knot", "transforms": [{"translate": [1, 0, 0]}, {}]}]})",
-                                                 "s.json", "/data");
+        {"type": "instance", "of": "knot", "transforms": [{"translate": [1, 0, 0]}, {}]}]})";
+
+}  // namespace
+
+TEST_CASE("the keys of interface.md mean what they say") {
+  const SceneDescription scene = scene_from_text(kScene, "s.json", "/data");
   REQUIRE(scene.objects.size() == 6);
   CHECK(scene.cameras.size() == 2);
   CHECK(scene.camera.ortho_height == 5);  // "far" comes first
@@ -180,4 +183,32 @@ TEST_CASE("the schema knows the keys that the reader knows") {
   // recursion by reference
   const SceneJson& csg = schema["$defs"]["object"]["oneOf"][5];
   CHECK(csg["properties"]["of"]["items"]["$ref"] == "#/$defs/object");
+}
+
+TEST_CASE("texts with mistakes anywhere are read or told, and nothing else", "[property]") {
+  std::mt19937_64 random(1);
+  const std::string good = kScene, marks = "{}[]\",:0-9.etf x";
+  int told = 0, read = 0;
+  for (std::int64_t n = test::cases(4000, 100000); n > 0; --n) {
+    std::string text = good;
+    for (std::uint64_t mistakes = 1 + random() % 3; mistakes > 0; --mistakes) {
+      const std::size_t at = random() % text.size(),
+                        length = std::min<std::size_t>(1 + random() % 12, text.size() - at);
+      switch (random() % 4) {
+        case 0: text[at] = marks[random() % marks.size()]; break;
+        case 1: text.erase(at, length); break;
+        case 2: text.insert(at, text.substr(random() % text.size(), length)); break;
+        default: text.insert(at, 1, marks[random() % marks.size()]);
+      }
+    }
+    CAPTURE(text);
+    try {
+      (void)scene_from_text(text, "s.json", "/data");
+      ++read;
+    } catch (const InputError&) { ++told; } catch (const std::exception& error) {
+      FAIL(error.what());
+    }
+  }
+  CHECK(told > 1000);
+  CHECK(read > 50);
 }
