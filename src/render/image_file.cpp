@@ -58,8 +58,8 @@ std::vector<std::string> channel_names(Layer layer, ChannelNames names) {
   if (names == ChannelNames::compositor) {
     if (layer == Layer::z) return {"Z"};
     if (layer == Layer::depth) return {"depth.Z"};
-    if (layer == Layer::normal) name = "N";
-    if (layer == Layer::position) name = "P";
+    if (layer == Layer::normal) name.assign(1, 'N');
+    if (layer == Layer::position) name.assign(1, 'P');
     if (channels_of(layer) == 1) return {name + ".X"};
   }
   if (layer == Layer::albedo) return {name + ".R", name + ".G", name + ".B"};
