@@ -18,6 +18,10 @@ class FrameBudget {
   void forget() { full_ms_ = preview_ms_ = 0; }
   /// The coarsest where nothing is known.
   [[nodiscard]] int divisor(double budget_ms) const;
+  /// The full picture takes a few frames only: nothing is worth showing on the way to it.
+  [[nodiscard]] bool full_is_near(double budget_ms) const {
+    return full_ms_ > 0 && full_ms_ <= 10 * budget_ms;
+  }
 
  private:
   double full_ms_ = 0, preview_ms_ = 0;  // preview_ms_: for all pixels of the full picture

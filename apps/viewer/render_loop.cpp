@@ -134,7 +134,7 @@ void RenderLoop::make_pictures(const Wish& wish) {
     const double stays_ms = divisor < first ? 0 : stays ? kStays : 1.5 * wish.budget_ms;
     if (!make_picture(wish, view, quick(final), stage, divisor, stays_ms)) return;
     if (divisor == 1) break;
-    divisor = divisor <= 4 ? 1 : divisor / 4;
+    divisor = divisor <= 4 || budget_.full_is_near(wish.budget_ms) ? 1 : divisor / 4;
   }
   view_.emplace(camera, width, height);
   if (smooth) make_picture(wish, *view_, final, Stage::final, 1, 0);

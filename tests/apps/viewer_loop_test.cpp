@@ -272,7 +272,9 @@ TEST_CASE("the resolution of previews follows what pictures cost") {
   CHECK(budget.divisor(33) == 2);
   budget.note(1, 20);
   CHECK(budget.divisor(33) == 1);
-  budget.note_ended(1, 200);
+  CHECK(budget.full_is_near(33));
+  budget.note_ended(1, 400);
+  CHECK_FALSE(budget.full_is_near(33));
   CHECK(budget.divisor(33) == 2);
   budget.note_ended(2, 1e9);
   CHECK(budget.divisor(33) == kCoarsest);
