@@ -23,7 +23,15 @@ SURFACES = {
 
 def contour_window(file):
     """A pipeline from the file to an off-screen picture, with its contour filter."""
-    reader = vtk.vtkXMLImageDataReader() if file.endswith(".vti") else vtk.vtkNrrdReader()
+    if file.endswith(".vti"):
+        reader = vtk.vtkXMLImageDataReader()
+    else:
+        n = int(file.split("_")[-2].split("x")[0])
+        reader = vtk.vtkImageReader2()
+        reader.SetFileDimensionality(3)
+        reader.SetDataExtent(0, n - 1, 0, n - 1, 0, n - 1)
+        reader.SetDataScalarTypeToFloat()
+        reader.SetDataByteOrderToLittleEndian()
     reader.SetFileName(file)
     reader.Update()
     contour = vtk.vtkFlyingEdges3D()
@@ -88,7 +96,7 @@ def main():
     print("|---|---|---|---|---|---|")
     for n in (128, 256, 512):
         for name, (formula, values) in SURFACES.items():
-            file = os.path.join(folder, f"{name}{n}.nrrd")
+            file = os.path.join(folder, f"{name}_{n}x{n}x{n}_float32.raw")
             if not os.path.exists(file):
                 subprocess.run([program, "sample", formula, "--resolution", str(n), "--type", "f32", "-o", file],
                                check=True, capture_output=True)

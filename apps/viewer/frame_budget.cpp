@@ -5,19 +5,23 @@
 namespace isocast::viewer {
 
 void FrameBudget::note(int divisor, double ms) {
-  const double full = ms * divisor * divisor;
-  full_ms_ = std::max(full, 0.5 * full_ms_ + 0.5 * full);
+  double& cost = divisor == 1 ? full_ms_ : preview_ms_;
+  const double all = ms * divisor * divisor;
+  cost = std::max(all, 0.5 * cost + 0.5 * all);
 }
 
 void FrameBudget::note_ended(int divisor, double ms) {
-  full_ms_ = std::max(full_ms_, ms * divisor * divisor);
+  double& cost = divisor == 1 ? full_ms_ : preview_ms_;
+  cost = std::max(cost, ms * divisor * divisor);
 }
 
 int FrameBudget::divisor(double budget_ms) const {
-  if (full_ms_ == 0) return kCoarsest;
   constexpr double kReserve = 0.75;
-  int divisor = 1;
-  while (divisor < kCoarsest && expected_ms(divisor) > kReserve * budget_ms) ++divisor;
+  const double limit = kReserve * budget_ms;
+  if (full_ms_ > 0 && full_ms_ <= limit) return 1;
+  if (preview_ms_ == 0) return kCoarsest;
+  int divisor = 2;
+  while (divisor < kCoarsest && preview_ms_ / (divisor * divisor) > limit) ++divisor;
   return divisor;
 }
 

@@ -134,7 +134,7 @@ void RenderLoop::make_pictures(const Wish& wish) {
     const double stays_ms = divisor < first ? 0 : stays ? kStays : 1.5 * wish.budget_ms;
     if (!make_picture(wish, view, quick(final), stage, divisor, stays_ms)) return;
     if (divisor == 1) break;
-    divisor = divisor <= 4 ? 1 : divisor / 4;
+    divisor = divisor <= 4 || budget_.full_is_near(wish.budget_ms) ? 1 : divisor / 4;
   }
   view_.emplace(camera, width, height);
   if (smooth) make_picture(wish, *view_, final, Stage::final, 1, 0);
@@ -148,7 +148,8 @@ bool RenderLoop::make_picture(const Wish& wish, const View& view, const RenderSe
   const Mailbox::Work work(mailbox_, wish.revision, stays_ms, &progress);
   Picture picture;
   try {
-    picture.counts = render(keeper_.built().scene, view, settings, *film, work.stop(), &progress);
+    const Scene& scene = stage == Stage::preview ? keeper_.preview_scene() : keeper_.built().scene;
+    picture.counts = render(scene, view, settings, *film, work.stop(), &progress);
   } catch (const Interrupted&) {
     const RunningWork& running = work.running();
     ++counts_.cancelled;
@@ -156,11 +157,12 @@ bool RenderLoop::make_picture(const Wish& wish, const View& view, const RenderSe
     counts_.tiles_cancelled += tile_count(view) - progress.done();
     counts_.tiles_after_end = std::max(counts_.tiles_after_end.load(), progress.done() - running.tiles);
     raise_to(counts_.longest_end_ms, ms_since(running.stopped));
-    budget_.note_ended(divisor, ms_since(start));
+    if (stage == Stage::preview || divisor == 1) budget_.note_ended(divisor, ms_since(start));
     throw;
   }
   picture.ms = ms_since(start);
-  if (settings.spp == 1 && !settings.silhouettes) budget_.note(divisor, picture.ms);
+  if (stage == Stage::preview || (divisor == 1 && settings.spp == 1 && !settings.silhouettes))
+    budget_.note(divisor, picture.ms);
   picture.rgba = screen_pixels(*film, wish.overlay);
   picture.film = film;
   picture.revision = wish.revision;

@@ -51,6 +51,7 @@ void SceneKeeper::show(const RenderWords& words) {
     description_ = std::move(description);
     words_ = words;
     source_ = source;
+    prepare_previews();
     failed_.clear();
   } catch (const Interrupted&) {
     failed_ = source;
@@ -62,6 +63,7 @@ void SceneKeeper::show(const RenderWords& words) {
 void SceneKeeper::build(const RenderWords& words, const SceneDescription& description) {
   BuiltScene built = build_scene(description, evaluation_of(words));
   built_ = std::move(built);
+  walker_.reset();
   ++scene_;
 }
 
@@ -81,6 +83,23 @@ void SceneKeeper::change(const RenderWords& words, const SceneDescription& descr
   built_->scene.ambient_occlusion = description.ambient_occlusion;
   if (words.environment != words_.environment)
     built_->scene.environment = words.environment.empty() ? nullptr : read_environment(words.environment);
+}
+
+void SceneKeeper::prepare_previews() {
+  preview_ = built_->scene;
+  const ObjectDescription& object = description_.objects.front();
+  if (!is_volume(words_) || !object.clips.empty()) return;
+  const EvaluationSettings evaluation = evaluation_of(words_);
+  VolumeSurfaceOptions options;
+  options.iso = built_->objects.front().iso;
+  options.method = choose_cell_method(object.method, object.settings);
+  options.double_precision = evaluation.double_precision;
+  options.isa = evaluation.isa;
+  options.normals = object.normals;
+  options.order = RayOrder::walk;
+  if (walker_) walker_->set_options(options);
+  else walker_ = std::make_shared<VolumeSurface>(built_->objects.front().volume, options);
+  preview_.objects.front().surface = walker_;
 }
 
 MethodRestorer::~MethodRestorer() {

@@ -18,6 +18,8 @@ class SceneKeeper {
 
   [[nodiscard]] bool any() const { return built_.has_value(); }
   [[nodiscard]] BuiltScene& built() { return *built_; }
+  /// The same scene for previews: the rays of a volume walk, for which nothing is made at a new iso-value.
+  [[nodiscard]] const Scene& preview_scene() const { return preview_; }
   [[nodiscard]] const SceneDescription& description() const { return description_; }
   [[nodiscard]] const RenderWords& words() const { return words_; }
   /// How many scenes there have been.
@@ -28,8 +30,11 @@ class SceneKeeper {
  private:
   void build(const RenderWords& words, const SceneDescription& description);
   void change(const RenderWords& words, const SceneDescription& description);
+  void prepare_previews();
 
   std::optional<BuiltScene> built_;
+  Scene preview_;
+  std::shared_ptr<VolumeSurface> walker_;  // of previews; null where they have the scene's own surfaces
   SceneDescription description_;
   RenderWords words_;
   std::vector<std::string> source_, failed_;

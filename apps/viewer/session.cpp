@@ -71,8 +71,9 @@ RenderWords words_of(const Session& session, int width, int height) {
   if (session.surfaces == session.adopted) return words;
   if (std::ranges::none_of(session.surfaces, &IsoSurface::visible)) {  // an iso-value that nobody sees
     words.iso = fmt::format("{}", session.surfaces.front().value);
-    words.colors = words.reflectivity = "";
-    words.opacity = std::string("0");
+    words.colors.clear();
+    words.reflectivity.clear();
+    words.opacity.assign(1, '0');
     return words;
   }
   words.iso = list(session, [](const IsoSurface& s) { return s.value; });

@@ -11,6 +11,7 @@
 #include <zlib.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 #include <thread>
 
@@ -102,19 +103,48 @@ TEST_CASE("iso-values, looks, lights and cameras build nothing again") {
   CHECK(loop.counts().scenes == 2);
 }
 
+TEST_CASE("previews of volumes are pictures of the same surface") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "ball_24x24x24_float32.raw";
+  std::vector<float> samples;
+  for (int i = 0; i < 24 * 24 * 24; ++i) {
+    const int x = i % 24 - 12, y = i / 24 % 24 - 12, z = i / 576 - 12;
+    samples.push_back(std::sqrt(static_cast<float>(x * x + y * y + z * z)));
+  }
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(samples.data()),
+             static_cast<std::streamsize>(samples.size() * sizeof(float)));
+  SceneKeeper keeper;
+  RenderWords words = wish_for(file.c_str()).words;
+  for (const char* iso : {"8", "5,9"})
+    for (const char* method : {"auto", "certified"}) {
+      words.iso = iso;
+      words.method = method;
+      keeper.show(words);
+      CHECK(keeper.preview_scene().objects.front().surface != keeper.built().scene.objects.front().surface);
+      const View view(frame(keeper.built().scene.bounds(), {}, 1), 96, 96);
+      Film scene(96, 96, {Layer::depth, Layer::certificate}), preview = scene;
+      render(keeper.built().scene, view, {}, scene);
+      render(keeper.preview_scene(), view, {}, preview);
+      CHECK(scene.color() == preview.color());
+      CHECK(scene.layer(Layer::depth) == preview.layer(Layer::depth));
+    }
+  CHECK(keeper.scene() == 1);
+}
+
 TEST_CASE("a newer wish ends an older one within a tile of each thread") {
   RenderLoop loop;
   Wish wish = wish_for(kHard, "1600x1200");
   wish.budget_ms = 1;
   const int threads = oneapi::tbb::info::default_concurrency();
-  for (int i = 0; i < 12; ++i) {
-    wish.words.position = std::to_string(3 + 0.1 * i) + ",-4,2";
+  constexpr int kMost = 1000, kEnough = 5;
+  for (int i = 0; i < kMost && loop.counts().cancelled < kEnough; ++i) {
+    wish.words.position = std::to_string(3 + 0.1 * (i % 10)) + ",-4,2";
     loop.ask(wish);
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
   }
-  const std::int64_t cancelled = loop.counts().cancelled;
-  CHECK(cancelled >= 3);
-  CHECK(loop.counts().tiles_cancelled > 1000);
+  CHECK(loop.counts().cancelled >= kEnough);
+  CHECK(loop.counts().tiles_cancelled > 0);
   CHECK(loop.counts().tiles_after_end <= threads);
   // the interface gets the newest picture all the same
   wish.words.size = "64x64";
@@ -162,12 +192,12 @@ TEST_CASE("what cannot be shown is told, and the scene before stays") {
 TEST_CASE("loading shows how far it is and can be cancelled") {
   const test::TemporaryFolder folder;
   const std::filesystem::path file = folder / "zeros.mha";
-  write_compressed_zeros(file, 640);
+  write_compressed_zeros(file, 560);
   RenderLoop loop;
   Wish wish = wish_for(file.c_str());
   wish.words.iso = "0.5";
   loop.ask(wish);
-  while (!loop.loading() || loop.work().share == 0) std::this_thread::yield();
+  while (!loop.at_rest() && (!loop.loading() || loop.work().share == 0)) std::this_thread::yield();
   CHECK(loop.work().what == "inflating");
   // another camera does not begin it anew, cancel ends it
   wish.words.position = "0,-1000,0";
@@ -234,15 +264,18 @@ TEST_CASE("f along a ray through a volume has its cells") {
 TEST_CASE("the resolution of previews follows what pictures cost") {
   FrameBudget budget;
   CHECK(budget.divisor(33) == kCoarsest);
-  budget.note(8, 10);  // 640 ms in full
+  budget.note(8, 10);  // 640 ms for all pixels
   CHECK(budget.divisor(33) == 6);
-  CHECK(budget.expected_ms(6) < 33);
   budget.note(6, 100);
   CHECK(budget.divisor(33) == 13);
   for (int i = 0; i < 20; ++i) budget.note(4, 1);
+  CHECK(budget.divisor(33) == 2);
+  budget.note(1, 20);
   CHECK(budget.divisor(33) == 1);
-  budget.note_ended(1, 200);
-  CHECK(budget.divisor(33) == 3);
-  budget.note_ended(1, 1e9);
+  CHECK(budget.full_is_near(33));
+  budget.note_ended(1, 400);
+  CHECK_FALSE(budget.full_is_near(33));
+  CHECK(budget.divisor(33) == 2);
+  budget.note_ended(2, 1e9);
   CHECK(budget.divisor(33) == kCoarsest);
 }

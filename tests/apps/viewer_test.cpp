@@ -126,7 +126,7 @@ TEST_CASE("hidden surfaces are not in the picture") {
 }
 
 TEST_CASE("a moved camera is written so that the same numbers are read") {
-  Session session = start_session(words_for("x"));
+  Session session = start_session(words_for("x+y+z"));
   session.camera = orbit(example(), 0.123, 0.0456);
   CameraWishes read;
   change_camera(words_of(session, 10, 10), read);
