@@ -23,22 +23,17 @@ void ClippedSurface::locate(const RayStream& rays, const HitStream& hits,
   }
 }
 
-// What lies behind the hits of `open`. A ray that follows the surface, undecided all the way, leaps as far as
-// it has followed it.
-void ClippedSurface::follow(const RayStream& rays, Stretches& stretches, HitStream& open,
+// What lies behind the hits of `open`.
+void ClippedSurface::follow(const RayStream& rays, Stretch (&stretches)[kStreamSize], HitStream& open,
                             TraceCounts& counts) const {
-  constexpr int kPatience = 4;
   const auto ahead = std::make_unique<RayStream>(rays);
   HitStream leaping;
   clear(leaping);
   bool leaps = false;
   for (int i = 0; i < rays.size; ++i) {
-    const bool doubtful = is_hit(open, i) && open.certificate[i] == Certificate::undecided;
-    if (doubtful && stretches.count[i] == 0) stretches.begin[i] = open.t_lo[i];
-    stretches.count[i] = doubtful ? stretches.count[i] + 1 : 0;
     ahead->start_object[i] = kNoObject;
-    if (stretches.count[i] > kPatience) {
-      ahead->t_min[i] = 2 * open.t_hi[i] - stretches.begin[i];
+    if (is_hit(open, i) && stretches[i].leaps_behind(open, i)) {
+      ahead->t_min[i] = open.t_hi[i] + stretches[i].length(open, i);
       open.t[i] = Box::inf;
       leaps = true;
     } else ahead->t_min[i] = 1, ahead->t_max[i] = 0;
@@ -56,7 +51,7 @@ void ClippedSurface::pass_over(const RayStream& rays, HitStream& hits, TraceCoun
   for (int i = 0; i < rays.size; ++i)
     if (open.object[i] != object_) forget(open, i);
   bool doubt[kStreamSize] = {};
-  Stretches stretches = {};
+  Stretch stretches[kStreamSize];
   const auto tell = [&](int i) {
     if (doubt[i] && proves()) open.certificate[i] = Certificate::undecided;
     copy_slot(open, hits, i);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/ray/region.h>
+#include <isocast/ray/stretch.h>
 #include <isocast/ray/surface.h>
 
 #include <memory>
@@ -35,12 +36,8 @@ class ClippedSurface final : public Surface {
 
  private:
   void locate(const RayStream& rays, const HitStream& hits, Place (&places)[kStreamSize]) const;
-  /// Undecided hits in a row, from `begin` on.
-  struct Stretches {
-    double begin[kStreamSize];
-    int count[kStreamSize];
-  };
-  void follow(const RayStream& rays, Stretches& stretches, HitStream& open, TraceCounts& counts) const;
+  void follow(const RayStream& rays, Stretch (&stretches)[kStreamSize], HitStream& open,
+              TraceCounts& counts) const;
   void pass_over(const RayStream& rays, HitStream& hits, TraceCounts& counts) const;
 
   std::shared_ptr<const Surface> surface_;

@@ -187,15 +187,6 @@ CsgWalk::Event CsgWalk::take_nearest(int i) {
   return event;
 }
 
-// Whether a ray has followed the surface for so long that it leaps on.
-bool CsgWalk::skips(int k, int i) {
-  constexpr int kPatience = 4;
-  Stretch& stretch = stretches_[k][i];
-  if (waiting_[k].certificate[i] != Certificate::undecided) stretch.count = 0;
-  else if (++stretch.count == 1) stretch.begin = waiting_[k].t_lo[i];
-  return stretch.count > kPatience;
-}
-
 // Asks the operands for what lies behind the crossings that were taken.
 void CsgWalk::follow() {
   HitStream asked;
@@ -205,7 +196,7 @@ void CsgWalk::follow() {
     asked = waiting_[k];
     bool doubtful = false;
     for (int i = 0; i < rays_.size; ++i) {
-      if (!taken_[k][i] || skips(k, i)) forget(asked, i);
+      if (!taken_[k][i] || stretches_[k][i].leaps_behind(waiting_[k], i)) forget(asked, i);
       doubtful = doubtful || (taken_[k][i] && waiting_[k].certificate[i] == Certificate::undecided);
     }
     csg_.operands_[k].surface->next_hit(rays_of(k), asked, counts_);
@@ -237,7 +228,7 @@ void CsgWalk::follow_doubtful(int k, HitStream& asked) {
                leap = doubtful && asked.object[i] == kNoObject;
     ahead->start_object[i] = kNoObject;
     if (!doubtful) ahead->t_max[i] = 0, ahead->t_min[i] = 1;
-    else ahead->t_min[i] = hits.t_hi[i] + (leap ? hits.t_hi[i] - stretches_[k][i].begin : 0);
+    else ahead->t_min[i] = hits.t_hi[i] + (leap ? stretches_[k][i].length(hits, i) : 0);
     found->object[i] = leap ? kNoObject : csg_.object_;
     leaps = leaps || leap;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/ray/csg_surface.h>
+#include <isocast/ray/stretch.h>
 
 namespace isocast {
 
@@ -22,11 +23,6 @@ class CsgWalk {
 
  private:
   struct Event;
-  /// Undecided crossings in a row, where a ray follows a surface, from `begin` on.
-  struct Stretch {
-    double begin;
-    int count;
-  };
   [[nodiscard]] const RayStream& rays_of(int operand);
   [[nodiscard]] const RayStream& open_rays_of(int operand);
   [[nodiscard]] bool carries(int operand, int i) const;
@@ -35,7 +31,6 @@ class CsgWalk {
   [[nodiscard]] bool in_operand(int operand, int i) const;
   [[nodiscard]] Event take_nearest(int i);
   void follow();
-  [[nodiscard]] bool skips(int operand, int i);
   void follow_doubtful(int operand, HitStream& asked);
   void emit(int i, int operand, const HitStream& found, int number, HitStream& hits) const;
   void trace(int operand);
