@@ -19,12 +19,13 @@ TEST_CASE("frames: every volume, type and camera, with times and counts") {
     CHECK(frame.rays == 64 * 64);
     CHECK(frame.hit_rays > 0);
     CHECK(frame.solved > 0);
-    for (const double seconds : {frame.frame, frame.moving, frame.walk, frame.binning, frame.solves})
+    for (const double seconds :
+         {frame.frame, frame.moving, frame.streams, frame.walk, frame.shadows, frame.binning, frame.solves})
       CHECK((seconds > 0 && seconds < 10));
   }
   CHECK(names.size() == 5);
   CHECK(std::ranges::any_of(frames, &FrameTimes::in_object_order));
-  CHECK(rows_of(frames).size() == 3 * frames.size());
+  CHECK(rows_of(frames).size() == 5 * frames.size());
   const std::string csv = frames_csv(frames);
   CHECK(std::ranges::count(csv, '\n') == 61);
   CHECK(isocast::test::is_well_formed(frames_plot(frames)));
