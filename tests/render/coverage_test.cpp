@@ -33,19 +33,6 @@ float at(const float (&shares)[kBlockStreams][kStreamSize], int x, int y) {
   return shares[x / 16 + kBlockTiles * (y / 16)][slot];
 }
 
-Film picture(const Scene& scene, const View& view, const RenderSettings& settings,
-             RenderCounts* counts = nullptr) {
-  Film film(view.width(), view.height(), {});
-  const RenderCounts made = render(scene, view, settings, film);
-  if (counts) *counts = made;
-  return film;
-}
-double mean_difference(const Film& a, const Film& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.color().size(); ++i) sum += std::abs(a.color()[i] - b.color()[i]);
-  return sum / static_cast<double>(a.color().size());
-}
-
 // The part of pixel (x, y) within `radius` pixels of the picture's middle, by many points.
 double share_of_disc(int x, int y, double radius) {
   constexpr int kPoints = 32;

@@ -5,6 +5,7 @@
 #include <isocast/implicit/implicit_surface.h>
 #include <isocast/render/render.h>
 
+#include <cmath>
 #include <cstring>
 
 namespace isocast::test {
@@ -50,6 +51,21 @@ inline Pixel pixel_along(const Scene& scene, const Double3& from, const Double3&
   const RenderCounts counts = render(scene, view_along(from, to), settings, film);
   const float* c = film.color(0);
   return {{c[0], c[1], c[2]}, c[3], counts};
+}
+
+/// Colours alone.
+inline Film picture(const Scene& scene, const View& view, const RenderSettings& settings,
+                    RenderCounts* counts = nullptr) {
+  Film film(view.width(), view.height(), {});
+  const RenderCounts made = render(scene, view, settings, film);
+  if (counts) *counts = made;
+  return film;
+}
+/// Over all channels of all pixels.
+inline double mean_difference(const Film& a, const Film& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.color().size(); ++i) sum += std::abs(a.color()[i] - b.color()[i]);
+  return sum / static_cast<double>(a.color().size());
 }
 
 inline bool same_bytes(const std::vector<float>& a, const std::vector<float>& b) {

@@ -10,18 +10,6 @@ using namespace isocast::test;
 
 namespace {
 
-Film picture(const Scene& scene, const View& view, const RenderSettings& settings,
-             RenderCounts* counts = nullptr) {
-  Film film(view.width(), view.height(), {});
-  const RenderCounts made = render(scene, view, settings, film);
-  if (counts) *counts = made;
-  return film;
-}
-double mean_difference(const Film& a, const Film& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.color().size(); ++i) sum += std::abs(a.color()[i] - b.color()[i]);
-  return sum / static_cast<double>(a.color().size());
-}
 double covered(const Film& film) {
   double sum = 0;
   for (std::size_t i = 3; i < film.color().size(); i += 4) sum += film.color()[i];
