@@ -71,7 +71,7 @@ template <class S> class DenseGrid {
            std::size_t(c[0]);
   }
 
-  const GridView& grid_;
+  GridView grid_;
   Key keys_[kMaxIsos];
   int iso_count_;
 };

@@ -123,7 +123,7 @@ SceneNews SceneKeeper::news() const {
   news.objects = built_->objects.size();
   news.method = first.method;
   news.method_reason = first.method_reason;
-  news.isa = std::string(name_of(evaluation_of(words_).isa));
+  news.isa = isa_word(evaluation_of(words_));
   if (first.volume) news.type = std::string(first.volume->type_name());
   if (first.change_method)
     for (const Method& method : applicable_methods(description_.objects.front()))

@@ -1,6 +1,7 @@
 // Where rays hit, and how sure that is.
 #pragma once
 
+#include <isocast/isa/isa.h>
 #include <isocast/ray/stream.h>
 
 namespace isocast {
@@ -30,7 +31,7 @@ struct alignas(64) HitStream {
 };
 
 /// No hit in any slot.
-inline void clear(HitStream& hits) {
+ISO_HD inline void clear(HitStream& hits) {
   for (int i = 0; i < kStreamSize; ++i) {
     hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = __builtin_inf();
     hits.cost[i] = 0;
@@ -38,9 +39,9 @@ inline void clear(HitStream& hits) {
     hits.certificate[i] = Certificate::no_proof;
   }
 }
-inline bool is_hit(const HitStream& hits, int i) { return hits.t[i] < __builtin_inf(); }
+ISO_HD inline bool is_hit(const HitStream& hits, int i) { return hits.t[i] < __builtin_inf(); }
 /// The slot holds no hit any more.
-inline void forget(HitStream& hits, int i) {
+ISO_HD inline void forget(HitStream& hits, int i) {
   hits.t[i] = __builtin_inf();
   hits.object[i] = kNoObject;
 }
@@ -55,7 +56,7 @@ inline void copy_slot(const HitStream& from, HitStream& to, int i) {
   to.certificate[i] = from.certificate[i];
 }
 /// Behind the hit, bit `iso` of sides has changed, unless the surface was only touched (undecided).
-inline std::uint32_t sides_behind(const HitStream& hits, int slot) {
+ISO_HD inline std::uint32_t sides_behind(const HitStream& hits, int slot) {
   return hits.certificate[slot] == Certificate::undecided ? hits.sides[slot]
                                                           : hits.sides[slot] ^ (1u << hits.iso[slot]);
 }
@@ -63,7 +64,7 @@ inline std::uint32_t sides_behind(const HitStream& hits, int slot) {
 /// Work done, summed over rays.
 struct TraceCounts {
   std::int64_t cells = 0, macrocells = 0, solves = 0, evaluations = 0;
-  TraceCounts& operator+=(const TraceCounts& other) {
+  ISO_HD TraceCounts& operator+=(const TraceCounts& other) {
     cells += other.cells;
     macrocells += other.macrocells;
     solves += other.solves;
