@@ -100,7 +100,7 @@ constexpr const char* kAfter = R"(  return registers;
 
 }  // namespace
 
-std::string expression_header(const Tape& tape) {
+std::string expression_body(const Tape& tape) {
   std::string body;
   written = &body;
   values = 0;
@@ -108,7 +108,9 @@ std::string expression_header(const Tape& tape) {
   std::vector<Text> registers(tape.registers);
   const Text result = *evaluate_some<1>(tape.view(), inputs, registers.data(), 1);
   written = nullptr;
-  return fmt::format("{}{}  *registers = {};\n{}", kBefore, body, result.name, kAfter);
+  return fmt::format("{}  *registers = {};\n", body, result.name);
 }
+
+std::string expression_header(const Tape& tape) { return kBefore + expression_body(tape) + kAfter; }
 
 }  // namespace isocast

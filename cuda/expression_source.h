@@ -13,4 +13,7 @@ namespace isocast {
 /// are written in hexadecimal: exact.
 [[nodiscard]] std::string expression_header(const Tape& tape);
 
+/// The same as statements, over x, y, z, w of type R; the last one sets *registers.
+[[nodiscard]] std::string expression_body(const Tape& tape);
+
 }  // namespace isocast

@@ -47,7 +47,8 @@ std::unique_ptr<Streams> random_streams(std::mt19937_64& random, const Box& box)
   return streams;
 }
 
-// Marching points look at the slopes of all rays in work where one of them asks: their cost depends on the others.
+// Marching points look at the slopes of all rays in work where one of them asks: their cost depends on the
+// others.
 void require_same(const Streams& a, const Streams& b, bool cost) {
   for (int i = 0; i < a.rays.size; ++i) {
     INFO("slot " << i << ": t " << a.hits.t[i] << " and " << b.hits.t[i]);
