@@ -31,6 +31,16 @@ Double3 ImplicitSurface::difference_normal(const Double3& p, double distance) co
   return normalized(normal);
 }
 
+namespace {
+
+// Turned against the ray.
+void put_normal(const RayStream& rays, int i, const Double3& normal, DressedHits& dressed) {
+  const double turn = dot(normal, {rays.dx[i], rays.dy[i], rays.dz[i]}) > 0 ? -1 : 1;
+  for (int a = 0; a < 3; ++a) dressed.normal[a][i] = turn * normal[a];
+}
+
+}  // namespace
+
 void ImplicitSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
                             DressedHits& dressed) const {
   const DefaultFloatEnvironment environment;
@@ -41,6 +51,8 @@ void ImplicitSurface::dress(const RayStream& rays, const HitStream& hits, const 
     find_neighbour_normals(rays, hits, options_.object, dressed, made);
   for (int i = 0; i < rays.size; ++i) {
     if (hits.object[i] != options_.object || !is_hit(hits, i)) continue;
+    if (has_form_normals() && wishes.normal && !made[i])
+      if (const auto normal = form_normal(hits, i)) made[i] = true, put_normal(rays, i, *normal, dressed);
     if (made[i] && !wishes.value && !wishes.position) continue;
     const double o[3] = {rays.ox[i], rays.oy[i], rays.oz[i]}, d[3] = {rays.dx[i], rays.dy[i], rays.dz[i]};
     slots[points.size] = i;
@@ -65,8 +77,7 @@ void ImplicitSurface::dress(const RayStream& rays, const HitStream& hits, const 
             ? normalized({points.gradient[0][n], points.gradient[1][n], points.gradient[2][n]})
             : difference_normal({points.position[0][n], points.position[1][n], points.position[2][n]},
                                 hits.t[i] * length(d));
-    const double turn = dot(normal, d) > 0 ? -1 : 1;
-    for (int a = 0; a < 3; ++a) dressed.normal[a][i] = turn * normal[a];
+    put_normal(rays, i, normal, dressed);
   }
 }
 

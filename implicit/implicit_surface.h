@@ -83,6 +83,9 @@ class ImplicitSurface final : public Surface {
 
   void set_components(const RayStream& rays, HitStream& hits) const;
   void prepare_frustum();
+  [[nodiscard]] bool has_form_normals() const {
+    return options_.method.form_normals && options_.normals != NormalKind::difference;
+  }
 
   std::optional<Components> components_;
   Tape tape_;

@@ -2,7 +2,7 @@
 // their first roots.
 #pragma once
 
-#include <isocast/implicit/frustum/patch.h>
+#include <isocast/implicit/frustum/form_normals.h>
 #include <isocast/implicit/frustum/row_roots.h>
 
 namespace isocast::inline ISO_ISA {
@@ -28,6 +28,10 @@ template <class T, class C> class FrustumTile {
     for (int i = 0; i <= shape_.across; ++i)
       for (int x = 0; x < kTile; ++x)
         weights_u_[i][x] = C(query.weights_u[i][x]), weights_v_[i][x] = C(query.weights_v[i][x]);
+    if (!query.normals) return;
+    for (int i = 0; i <= shape_.across; ++i)
+      for (int x = 0; x < kTile; ++x)
+        slopes_u_[i][x] = C(query.slopes_u[i][x]), slopes_v_[i][x] = C(query.slopes_v[i][x]);
   }
 
   /// The roots of a part that is one tile, valid until the next call; null where none of its rays is in it.
@@ -63,8 +67,13 @@ template <class T, class C> class FrustumTile {
     scale_ = scale;
     for (int i = 0; i < kStreamSize; ++i) roots_.hit[i] = false, roots_.proved[i] = true, roots_.steps[i] = 0;
     for (int y = 0; y < kTile; ++y) {
-      const C* sums = sum_rows(form, n, filled, y, form + n * filled);
+      C *const sums = form + n * filled, *const slopes = sums + filled;
+      sum_rows(form, weights_v_, n, filled, y, sums);
       solve_row(part, sums, n, y, begin[y], end[y], s0, s1, counts);
+      if (!query_.normals || !is_hit_in_row(y)) continue;
+      sum_rows(form, slopes_v_, n, filled, y, slopes);
+      const double v = query_.v0 + part.y * kTile + y + query_.offset_v;
+      find_normals({shape_.across, d, sums, slopes}, {query_.u0 + part.x * kTile, v, s0, s1}, y);
     }
     return &roots_;
   }
@@ -94,15 +103,31 @@ template <class T, class C> class FrustumTile {
     }
   }
 
-  // The form along one row of pixels.
-  const C* sum_rows(const C* form, int n, int filled, int y, C* sums) const {
+  using Weights = C[kMostFormDegree + 1][kTile];
+
+  // The form along one row of pixels, or its slope across.
+  static void sum_rows(const C* form, const Weights& weights, int n, int filled, int y, C* sums) {
     using R = Native<C>;
     for (int x = 0; x < filled; x += kWidth<R>) {
-      R sum = R(weights_v_[0][y]) * load<R>(form + x);
-      for (int j = 1; j < n; ++j) sum = sum + R(weights_v_[j][y]) * load<R>(form + j * filled + x);
+      R sum = R(weights[0][y]) * load<R>(form + x);
+      for (int j = 1; j < n; ++j) sum = sum + R(weights[j][y]) * load<R>(form + j * filled + x);
       store(sums + x, sum);
     }
-    return sums;
+  }
+
+  static int slot_of(int x, int y) { return (y / 4 * 4 + x / 4) * 16 + y % 4 * 4 + x % 4; }
+
+  bool is_hit_in_row(int y) const {
+    for (int x = 0; x < kRow; ++x)
+      if (roots_.hit[slot_of(x, y)]) return true;
+    return false;
+  }
+  void find_normals(const RowForm<C>& form, const RowPlace& place, int y) {
+    double s[kRow], normal[2][kRow];
+    for (int x = 0; x < kRow; ++x) s[x] = roots_.hit[slot_of(x, y)] ? roots_.s[slot_of(x, y)] : place.s0;
+    find_form_normals(query_, form, weights_u_, slopes_u_, place, s, normal[0], normal[1]);
+    for (int x = 0; x < kRow; ++x)
+      for (int a = 0; a < 2; ++a) roots_.normal[a][slot_of(x, y)] = normal[a][x];
   }
 
   // The polynomials of a row of rays over the depths that they have in the domain, and their roots.
@@ -198,7 +223,7 @@ template <class T, class C> class FrustumTile {
     }
     for (int x = 0; x < kRow; ++x) {
       if (!active[x]) continue;
-      const int slot = (y / 4 * 4 + x / 4) * 16 + y % 4 * 4 + x % 4;
+      const int slot = slot_of(x, y);
       ++counts.solves;
       roots.steps[slot] += found.steps[x];
       const auto depth = [&](double s) { return s0 + (s1 - s0) * (from[x] + s * length[x]); };
@@ -229,7 +254,7 @@ template <class T, class C> class FrustumTile {
   const FrustumQuery& query_;
   const PatchShape shape_;
   double margin_ = 0, scale_ = 1;  // of the coefficients of rays
-  C weights_u_[kMostFormDegree + 1][kTile], weights_v_[kMostFormDegree + 1][kTile];
+  Weights weights_u_, weights_v_, slopes_u_, slopes_v_;
   bool begins_[kRow], ends_[kRow];
   TileRoots roots_;
 };
