@@ -69,6 +69,8 @@ class ImplicitSurface final : public Surface {
  private:
   template <class T> [[nodiscard]] FormulaQuery<T> make_query() const;
   [[nodiscard]] FormulaPassInputs pass_inputs() const;
+  bool put_cheap_normals(const RayStream& rays, const HitStream& hits, DressedHits& dressed,
+                         bool (&made)[kStreamSize]) const;
   [[nodiscard]] Double3 difference_normal(const Double3& p, double distance) const;
   struct Traced;
   template <class T> [[nodiscard]] const FormulaSolver<T>& solver() const;
