@@ -86,6 +86,7 @@ void ImplicitSurface::prepare_frustum() {
                       : options_.mixed_precision ? FrustumPrecision::mixed
                                                  : FrustumPrecision::single;
   options.proves = method.proves();
+  options.normals = has_form_normals();
   options.isa = options_.isa;
   options.object = options_.object;
   frustum_ = std::make_shared<const FrustumTracer>(tape_, bounds_, options);

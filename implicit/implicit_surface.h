@@ -74,6 +74,8 @@ class ImplicitSurface final : public Surface {
  private:
   template <class T> [[nodiscard]] FormulaQuery<T> make_query() const;
   [[nodiscard]] FormulaPassInputs pass_inputs() const;
+  bool put_cheap_normals(const RayStream& rays, const HitStream& hits, DressedHits& dressed,
+                         bool (&made)[kStreamSize]) const;
   [[nodiscard]] Double3 difference_normal(const Double3& p, double distance) const;
   template <class T> [[nodiscard]] const FormulaSolver<T>& solver() const;
   void begin(bool next, const RayStream& rays, HitStream& hits, TracedRay* traced) const;
@@ -101,6 +103,9 @@ class ImplicitSurface final : public Surface {
 
   void set_components(const RayStream& rays, HitStream& hits) const;
   void prepare_frustum();
+  [[nodiscard]] bool has_form_normals() const {
+    return options_.method.form_normals && options_.normals != NormalKind::difference;
+  }
 
   std::optional<Components> components_;
   Tape tape_;

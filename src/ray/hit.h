@@ -14,9 +14,9 @@ enum class Certificate : std::uint8_t { no_proof, proved_hit, proved_miss, undec
 /// have a meaning.
 ///
 /// t, t_lo, t_hi  ray parameter of the hit and its bracket, in units of the ray's direction
-/// cell, s, s_hi  cell of the hit (volumes; cell[0] of a formula is the component that was hit, where that
-/// was
-///                asked for) and the place in its chord, from which next_hit goes on
+/// cell, s, s_hi  volumes: cell of the hit and the place in its chord, from which next_hit goes on; formulas:
+///                cell[0] is the component that was hit, where that was asked for, and s and s_hi a normal
+///                that the pass knows (form_normal)
 /// sides          bit i set: f < iso i in front of the hit
 /// cost           cells tested and cubics solved, or the evaluations of a formula
 struct alignas(64) HitStream {
