@@ -31,6 +31,9 @@ template <class S> class SparseGrid {
 
   ISO_HD Sample at(const std::int32_t (&c)[3]) const { return sample_at<S>(tree_, c); }
 
+  /// Nothing: the way to the samples would be the longer part.
+  void prefetch(const std::int32_t (&)[3]) const {}
+
   ISO_HD void load_corners(const std::int32_t (&c)[3], const Place& place, Sample (&f)[8]) const {
     const int n = leaf_index(c[0], c[1], c[2]);
     if (place.entry.is_child() && inside_leaf(c)) {
