@@ -2,6 +2,7 @@
 // mouse there, and waits.
 #pragma once
 
+#include <isocast/apps/viewer/script/neighbour.h>
 #include <isocast/apps/viewer/script/pointer.h>
 #include <isocast/apps/viewer/script/script.h>
 #include <isocast/apps/viewer/window/app.h>
@@ -40,6 +41,7 @@ class ScriptRun {
   App& app_;
   std::vector<ScriptCommand> commands_;
   Pointer pointer_;
+  Neighbour neighbour_;
   std::atomic<bool> ended_ = false;
   std::atomic<std::shared_ptr<const std::string>> screenshot_;
   std::atomic<bool> failed_ = false;
