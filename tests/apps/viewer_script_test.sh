@@ -54,14 +54,14 @@ overlay certificate
 wait
 screenshot certificate.png
 overlay none
-click 280 280
+click 190 227
 wait
 screenshot probe.png
 save moved.png
 quit
 S
-view ball.nrrd --iso 0.5 --window 900x600 --scale 1 --script volume.txt --stats stats.json || fail "volume: $(cat err.txt)"
-size=560x574
+view ball.nrrd --iso 0.5 --window 720x480 --scale 1 --script volume.txt --stats stats.json || fail "volume: $(cat err.txt)"
+size=380x454
 "$program" render ball.nrrd --iso 0.75 --size $size -o expected.png
 same iso.png expected.png "the picture after the slider"
 cmp -s moved.png expected.png && fail "orbit, pan and zoom have moved nothing"
@@ -82,7 +82,7 @@ wait
 screenshot error.png
 quit
 S
-view "a*x^2+y^2+z^2-0.5" --param a=2 --time 0.5 --window 900x600 --scale 1 --script formula.txt --stats stats.json || fail "formula: $(cat err.txt)"
+view "a*x^2+y^2+z^2-0.5" --param a=2 --time 0.5 --window 720x480 --scale 1 --script formula.txt --stats stats.json || fail "formula: $(cat err.txt)"
 "$program" render "x^2+y^2+z^2-0.4-0.2*sin(9*x+w)" --time 0.25 --size $size -o expected.png
 same typed.png expected.png "the picture of a formula that was typed"
 cat >parameter.txt <<'S'
@@ -92,7 +92,7 @@ wait
 save parameter.png
 quit
 S
-view "a*x^2+y^2+z^2-0.5" --param a=2 --size 300x200 --window 900x600 --scale 1 --script parameter.txt || fail "parameter: $(cat err.txt)"
+view "a*x^2+y^2+z^2-0.5" --param a=2 --size 300x200 --window 720x480 --scale 1 --script parameter.txt || fail "parameter: $(cat err.txt)"
 "$program" render "a*x^2+y^2+z^2-0.5" --param a=3 --size 300x200 -o expected.png
 same parameter.png expected.png "the picture of a changed parameter"
 
@@ -123,12 +123,12 @@ clipboard copied.txt
 screenshot scene.png
 quit
 S
-view three.json --window 900x600 --scale 1 --script scene.txt --stats stats.json || fail "scene: $(cat err.txt)"
+view three.json --window 720x480 --scale 1 --script scene.txt --stats stats.json || fail "scene: $(cat err.txt)"
 grep -qx "isocast render edited.scene.json --size $size -o edited.png" copied.txt || fail "copied: $(cat copied.txt)"
 "$program" render edited.scene.json --size $size -o expected.png || fail "the copied scene"
 same edited.png expected.png "the picture of an edited scene"
 grep -q '"visible": false' edited.scene.json || fail "the hidden object is not in the file"
-(($(number scenes) == 3)) || fail "a scene was built $(number scenes) times, expected 3: at first, hidden, coloured"
+(($(number scenes) == 4)) || fail "a scene was built $(number scenes) times, expected 4: at first, hidden, coloured, in another range"
 
 # another program's file is dropped, what is copied can be pasted elsewhere, and the whole screen is filled
 cat >drop.txt <<'S'
@@ -146,11 +146,11 @@ wait
 screenshot window.png
 quit
 S
-view x --window 900x600 --scale 1 --script drop.txt || fail "drop: $(cat err.txt)"
+view x --window 720x480 --scale 1 --script drop.txt || fail "drop: $(cat err.txt)"
 "$program" render ball.nrrd --size $size -o expected.png
 same dropped.png expected.png "the picture of a dropped file"
 grep -qx "isocast render .*/ball.nrrd --size $size -o picture.png" copied.txt || fail "copied: $(cat copied.txt)"
 [[ $(pixels full.png) == "1600 1000" ]] || fail "full screen: $(pixels full.png)"
-[[ $(pixels window.png) == "900 600" ]] || fail "back in the window: $(pixels window.png)"
+[[ $(pixels window.png) == "720 480" ]] || fail "back in the window: $(pixels window.png)"
 
 end_of_test "the window does what it is told"

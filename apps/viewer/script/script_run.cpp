@@ -72,12 +72,8 @@ void ScriptRun::run(const ScriptCommand& command) {
   else if (name == "object") click(reveal("objects." + words[0]));
   else if (name == "press") click(reveal(words[0]));
   else if (name == "type") enter(words[0], words[1]);
-  else if (name == "key") {
-    pointer_.key(words[0].c_str(), true);
-    settle();
-    pointer_.key(words[0].c_str(), false);
-    settle();
-  } else if (name == "drop") {
+  else if (name == "key") press_key(words[0].c_str());
+  else if (name == "drop") {
     const Landmark place = reveal("canvas.picture");
     neighbour_.drop(words[0], int(place.x0) + 9, int(place.y0) + 9, [this] { settle(); });
     settle();
@@ -149,10 +145,7 @@ void ScriptRun::enter(const std::string& field, const std::string& text) {
   chord("Control_L", 'a');
   for (const char c : text) pointer_.type(c);
   settle();
-  pointer_.key("Return", true);
-  settle();
-  pointer_.key("Return", false);
-  settle();
+  press_key("Return");
 }
 
 void ScriptRun::click(const Landmark& place) {
@@ -168,10 +161,16 @@ void ScriptRun::click(double x, double y) {
   settle();
 }
 
+void ScriptRun::press_key(const char* name) {
+  pointer_.key(name, true);
+  settle();
+  pointer_.key(name, false);
+  settle();
+}
+
 void ScriptRun::chord(const char* modifier, char c) {
   const char name[] = {c, 0};
   pointer_.key(modifier, true);
-  settle();
   pointer_.key(name, true);
   settle();
   pointer_.key(name, false);

@@ -30,6 +30,7 @@ class ScriptRun {
   void enter(const std::string& field, const std::string& text);
   void click(const Landmark& place);
   void click(double x, double y);
+  void press_key(const char* name);
   void chord(const char* modifier, char c);
   /// Where it is, after its section was opened and scrolled into sight.
   Landmark reveal(const std::string& name);
