@@ -97,7 +97,8 @@ ObjectDescription describe_object(const RenderWords& words) {
 
 // The scene of a file: options of objects are for scenes of one, and some for none.
 SceneDescription open_scene(const RenderWords& words) {
-  SceneDescription scene = read_scene(words.input);
+  SceneDescription scene =
+      words.scene_text.empty() ? read_scene(words.input) : scene_from_text(words.scene_text, words.input, {});
   const struct {
     bool given;
     const char *option, *key;

@@ -12,11 +12,14 @@
 namespace isocast {
 
 /// The command line as it was typed.
+///
+/// scene_text  of the viewer: stands instead of what is in the scene file `input`; all its files by their
+///             full names
 struct RenderWords {
   std::string input, output, iso, iso_sweep, colors, method = "auto", size, isa = "auto", precision = "float";
   std::string position, target, up, fov, ortho, normals = "gradient", aov, stats;
-  std::string frames, shard, exr_names = "plain", domain, time, opacity, reflectivity, environment, aa,
-                             camera, filter = "box", ambient_occlusion_radius;
+  std::string scene_text, frames, shard, exr_names = "plain", domain, time, opacity, reflectivity,
+                                         environment, aa, camera, filter = "box", ambient_occlusion_radius;
   std::vector<std::string> set, params, lights, clips;
   bool shadows = false, by_component = false, resume = false;
   std::optional<int> spp, transparency_depth, reflections;  // not given: the scene's, or 1, 4 and 1

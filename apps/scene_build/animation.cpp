@@ -58,11 +58,21 @@ template <class Map> std::vector<std::string> names_in(const std::vector<Animati
   return names;
 }
 
+// Every object, and the operands of each right behind it.
+template <class Action> void for_each(std::vector<ObjectDescription>& objects, const Action& action) {
+  for (ObjectDescription& object : objects) {
+    action(object);
+    if (auto* const csg = std::get_if<CsgSource>(&object.source)) for_each(csg->of, action);
+  }
+}
+
 ObjectDescription& object_named(SceneDescription& scene, const std::string& name) {
-  const auto object = std::ranges::find(scene.objects, name, &ObjectDescription::name);
-  if (object == scene.objects.end())
-    throw InputError(fmt::format("animation: no object has the name '{}'", name));
-  return *object;
+  ObjectDescription* found = nullptr;
+  for_each(scene.objects, [&](ObjectDescription& object) {
+    if (!found && object.name == name) found = &object;
+  });
+  if (!found) throw InputError(fmt::format("animation: no object has the name '{}'", name));
+  return *found;
 }
 
 void set_parameter(SceneDescription& scene, const std::string& name, double value) {
@@ -79,9 +89,16 @@ void set_parameter(SceneDescription& scene, const std::string& name, double valu
   formula->parameters.push_back({own, shortest_constant(value)});
 }
 
+void set_iso(SceneDescription& scene, const std::string& name, const std::vector<double>& iso) {
+  ObjectDescription& object = object_named(scene, name);
+  if (!std::holds_alternative<VolumeSource>(object.source) &&
+      !std::holds_alternative<FormulaSource>(object.source))
+    throw InputError(
+        fmt::format("animation: found iso-values of '{}', expected the name of a volume or a formula", name));
+  object.iso = iso;
+}
+
 void set_time(ObjectDescription& object, double time) {
-  if (auto* const csg = std::get_if<CsgSource>(&object.source))
-    for (ObjectDescription& operand : csg->of) set_time(operand, time);
   if (object.time) return;
   const auto follow = [&](auto& field) {
     if (auto* const formula = std::get_if<FormulaSource>(&field)) formula->time = time;
@@ -95,8 +112,6 @@ void set_files(ObjectDescription& object, int frame) {
   const auto number = [&](std::filesystem::path& file) { file = numbered_file(file, frame); };
   if (auto* const volume = std::get_if<VolumeSource>(&object.source)) number(volume->file);
   if (auto* const mesh = std::get_if<MeshSource>(&object.source)) number(mesh->file);
-  if (auto* const csg = std::get_if<CsgSource>(&object.source))
-    for (ObjectDescription& operand : csg->of) set_files(operand, frame);
   if (!object.color_by) return;
   if (auto* const volume = std::get_if<VolumeSource>(&object.color_by->field)) number(volume->file);
 }
@@ -117,20 +132,20 @@ void apply_keys(const std::vector<AnimationKey>& keys, int frame, SceneDescripti
     set_parameter(scene, name,
                   *value_at(keys, frame, [&](const AnimationKey& key) { return in(key.parameters, name); }));
   for (const std::string& name : names_in(keys, &AnimationKey::iso))
-    object_named(scene, name).iso =
-        *value_at(keys, frame, [&](const AnimationKey& key) { return in(key.iso, name); });
+    set_iso(scene, name, *value_at(keys, frame, [&](const AnimationKey& key) { return in(key.iso, name); }));
   // formulas with other parameters are read again
   if (parameters.empty()) return;
-  for (ObjectDescription& object : scene.objects)
+  for_each(scene.objects, [](ObjectDescription& object) {
     if (auto* const formula = std::get_if<FormulaSource>(&object.source))
       formula->expression = read_formula({formula->text, formula->parameters, formula->domain}).expression;
+  });
 }
 
 }  // namespace
 
 SceneDescription description_at(const SceneDescription& scene, int frame) {
   SceneDescription at = scene;
-  for (ObjectDescription& object : at.objects) set_files(object, frame);
+  for_each(at.objects, [&](ObjectDescription& object) { set_files(object, frame); });
   if (scene.animation && !scene.animation->keys.empty()) apply_keys(scene.animation->keys, frame, at);
   return at;
 }
@@ -138,7 +153,7 @@ SceneDescription description_at(const SceneDescription& scene, int frame) {
 SceneDescription at_time(const SceneDescription& scene, double time) {
   SceneDescription at = scene;
   at.time = time;
-  for (ObjectDescription& object : at.objects) set_time(object, time);
+  for_each(at.objects, [&](ObjectDescription& object) { set_time(object, time); });
   return at;
 }
 

@@ -2,13 +2,11 @@
 #include <isocast/apps/scene_build/build_csg.h>
 #include <isocast/apps/scene_build/build_object.h>
 #include <isocast/base/error.h>
-#include <isocast/base/mapped_file.h>
 #include <isocast/implicit/automatic.h>
 #include <isocast/implicit/formula_region.h>
 #include <isocast/ray/clipped_surface.h>
 #include <isocast/ray/transformed_surface.h>
 #include <isocast/scene/mesh/mesh_surface.h>
-#include <isocast/volume/statistics.h>
 
 #include <chrono>
 
@@ -19,14 +17,13 @@ double ms_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::vector<double> best_iso(const Volume& volume, const std::filesystem::path& file) {
-  const VolumeStatistics statistics = statistics_of(volume);
-  check_mapped_files();
-  if (statistics.suggested_iso.empty())
+std::vector<double> best_iso(const VolumeSource& source, VolumeLibrary& library) {
+  const auto statistics = library.statistics(source);
+  if (statistics->suggested_iso.empty())
     throw InputError(fmt::format(
         "{}: no iso-value suggests itself (it has no two different finite values); give one with --iso",
-        file.string()));
-  return {statistics.suggested_iso.front()};
+        source.file.string()));
+  return {statistics->suggested_iso.front()};
 }
 
 using Clock = std::chrono::steady_clock;
@@ -83,10 +80,10 @@ void use_evaluation(const EvaluationSettings& evaluation, ImplicitSurfaceOptions
 }
 
 // A surface made with these options, which its iso-values and its method may change in later. choose: the
-// row of the method table.
-template <class SurfaceKind, class Options, class Choose>
+// row of the method table; adapt: the options to other iso-values, and returns the method's name.
+template <class SurfaceKind, class Options, class Choose, class Adapt>
 void use(ObjectSurface& object, const std::shared_ptr<SurfaceKind>& surface, const Options& options,
-         Choose choose) {
+         Choose choose, Adapt adapt) {
   BuiltObject& built = object.built;
   object.surface = surface;
   built.iso = options.iso;
@@ -94,7 +91,9 @@ void use(ObjectSurface& object, const std::shared_ptr<SurfaceKind>& surface, con
   const auto current = std::make_shared<Options>(options);
   built.move_surface = [=](const std::vector<double>& iso) {
     current->iso = iso;
+    const std::string method = adapt(*current);
     surface->set_options(*current);
+    return method;
   };
   built.change_method = [=](const std::string& name, const std::map<std::string, std::string>& settings,
                             const EvaluationSettings& evaluation) {
@@ -121,7 +120,7 @@ void build(ObjectSurface& object, const VolumeSource& source, const ObjectDescri
 
   auto start = Clock::now();
   const auto volume = moved(context.library.get(source), wanted.place);
-  options.iso = wanted.iso.empty() ? best_iso(*volume, source.file) : wanted.iso;
+  options.iso = wanted.iso.empty() ? best_iso(source, context.library) : wanted.iso;
   built.load_ms = ms_since(start);
 
   start = Clock::now();
@@ -131,7 +130,9 @@ void build(ObjectSurface& object, const VolumeSource& source, const ObjectDescri
   built.volume_bytes = volume->bytes();
   built.acceleration_bytes = static_cast<std::int64_t>(surface->acceleration_bytes());
   built.mask_use = [surface] { return surface->mask_use(); };
-  use(object, surface, options, choose_cell_method);
+  use(object, surface, options, choose_cell_method, [](const VolumeSurfaceOptions& now) {
+    return std::string(volume_methods()[static_cast<std::size_t>(now.method.method)].name);
+  });
   object.above = true;
   if (!volume->tree)
     object.solid = {
@@ -162,11 +163,14 @@ void build(ObjectSurface& object, const FormulaSource& source, const ObjectDescr
   options.normals = wanted.normals;
   options.components = wanted.by_component;
   if (!wanted.iso.empty()) options.iso = wanted.iso;
-  if (automatic) {
-    const AutomaticMethod choice = choose_automatically(source.expression, source.domain, options);
-    options.method.method = choice.method, options.method.pass = choice.pass;
-    built.method_reason = choice.reason;
-  }
+  const auto choose = [expression = source.expression, domain = source.domain,
+                       plain = options.method](ImplicitSurfaceOptions& now) {
+    now.method = plain;
+    const AutomaticMethod choice = choose_automatically(expression, domain, now);
+    now.method.method = choice.method, now.method.pass = choice.pass;
+    return choice.reason;
+  };
+  if (automatic) built.method_reason = choose(options);
   const Method& method = find_method(formula_methods(), name_of(options.method));
   check_precision(method, settings);
   built.method = std::string(method.name);
@@ -174,7 +178,11 @@ void build(ObjectSurface& object, const FormulaSource& source, const ObjectDescr
   const auto start = Clock::now();
   const auto surface = std::make_shared<ImplicitSurface>(source.expression, source.domain, options);
   built.build_ms = ms_since(start);
-  use(object, surface, options, choose_formula_method);
+  // chosen again for other iso-values: a frame does not depend on those before it
+  use(object, surface, options, choose_formula_method, [=](ImplicitSurfaceOptions& now) {
+    if (automatic) choose(now);
+    return std::string(name_of(now.method));
+  });
   object.solid = {{source.domain.lo, source.domain.hi}, wanted.place};
   if (!is_identity(wanted.place))
     object.surface =
@@ -214,24 +222,25 @@ void build(ObjectSurface& object, const InstanceSource& /*source*/, const Object
   throw InputError(fmt::format("object '{}': an instance cannot be an operand", object.built.name));
 }
 
-void clip(ObjectSurface& object, const std::vector<SolidDescription>& solids) {
-  list(object.built, !solids.empty(), "clip solids");
-  if (solids.empty()) return;
+}  // namespace
+
+std::shared_ptr<const Surface> clipped(const std::shared_ptr<const Surface>& surface,
+                                       const std::vector<SolidDescription>& solids, std::uint16_t number) {
+  if (solids.empty()) return surface;
   std::vector<std::shared_ptr<const Region>> regions;
   for (const SolidDescription& solid : solids)
     regions.push_back(std::make_shared<FormulaRegion>(solid.formula, solid.time));
-  object.surface = std::make_shared<ClippedSurface>(object.surface, std::move(regions),
-                                                    static_cast<std::uint16_t>(object.built.place));
+  return std::make_shared<ClippedSurface>(surface, std::move(regions), number);
 }
-
-}  // namespace
 
 ObjectSurface build_object(const ObjectDescription& description, const BuildContext& context) {
   ObjectSurface object;
   object.built.name = description.name;
   object.built.place = context.number;
   std::visit([&](const auto& source) { build(object, source, description, context); }, description.source);
-  clip(object, description.clips);
+  list(object.built, !description.clips.empty(), "clip solids");
+  object.built.unclipped = {object.surface};
+  object.surface = clipped(object.surface, description.clips, context.number);
   const BuiltObject& built = object.built;
   if (object.materials.empty())
     object.materials =

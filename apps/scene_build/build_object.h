@@ -20,6 +20,7 @@ namespace isocast {
 /// of
 ///           its places, iso-values one for every sixteen
 /// features  what of it is used, and what was left out
+/// unclipped  its surfaces before clip solids, one for each SceneObject
 /// move_surface, change_method  for a volume or a formula; else empty
 struct BuiltObject {
   std::string name;
@@ -29,7 +30,9 @@ struct BuiltObject {
   bool proves = false;
   std::shared_ptr<const Volume> volume;  // of a volume
   std::size_t components = 0;            // of a formula, where they have materials of their own
-  std::function<void(const std::vector<double>& iso)> move_surface;
+  std::vector<std::shared_ptr<const Surface>> unclipped;
+  /// Returns the name of the method, which may be another one where it was "auto".
+  std::function<std::string(const std::vector<double>& iso)> move_surface;
   /// Goes on with another method (by name, not auto), its `--set` values and another evaluation; nothing is
   /// rebuilt, and `method` and `proves` stay what they were. Throws InputError for what cannot be used.
   std::function<void(const std::string& method, const std::map<std::string, std::string>& settings,
@@ -69,6 +72,11 @@ struct ObjectSurface {
 
 /// The object of a description, but for instances. Throws InputError.
 [[nodiscard]] ObjectSurface build_object(const ObjectDescription& description, const BuildContext& context);
+
+/// What of the surface, of that number, lies in all solids.
+[[nodiscard]] std::shared_ptr<const Surface> clipped(const std::shared_ptr<const Surface>& surface,
+                                                     const std::vector<SolidDescription>& solids,
+                                                     std::uint16_t number);
 
 /// Materials in number, as the description repeats them.
 [[nodiscard]] std::vector<Material> materials_of(const MaterialDescription& description, std::size_t count);

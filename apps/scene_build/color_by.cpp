@@ -8,7 +8,6 @@
 #include <isocast/implicit/register_memory.h>
 #include <isocast/isa/cpu.h>
 #include <isocast/math/elementary.h>
-#include <isocast/volume/statistics.h>
 #include <isocast/volume/volume_sampler.h>
 
 #include <cmath>
@@ -53,15 +52,13 @@ struct OpenField {
   std::array<double, 2> range;
 };
 
-OpenField open(const VolumeSource& source) {
-  const auto volume = std::make_shared<const Volume>(read_volume(source.file, source.read));
-  const VolumeStatistics statistics = statistics_of(*volume);
-  check_mapped_files();
-  const VolumeSampler sampler(volume);
-  return {[sampler](const Double3& p) { return sampler.value_at(p); }, {statistics.min, statistics.max}};
+OpenField open(const VolumeSource& source, VolumeLibrary& library) {
+  const VolumeSampler sampler(library.get(source));
+  const auto statistics = library.statistics(source);
+  return {[sampler](const Double3& p) { return sampler.value_at(p); }, {statistics->min, statistics->max}};
 }
 
-OpenField open(const FormulaSource& source) {
+OpenField open(const FormulaSource& source, VolumeLibrary& /*library*/) {
   const auto tape = std::make_shared<const Tape>(make_tape(simplify(source.expression)));
   return {[tape, time = source.time](const Double3& p) {
             const double inputs[4] = {p[0], p[1], p[2], time};
@@ -73,9 +70,9 @@ OpenField open(const FormulaSource& source) {
 
 }  // namespace
 
-std::shared_ptr<const ColorField> make_color_field(const ColorBy& description) {
+std::shared_ptr<const ColorField> make_color_field(const ColorBy& description, VolumeLibrary& library) {
   ColorMap map = read_color_map(description.map);
-  OpenField field = std::visit([](const auto& source) { return open(source); }, description.field);
+  OpenField field = std::visit([&](const auto& source) { return open(source, library); }, description.field);
   std::array<double, 2> range = description.range.value_or(field.range);
   if (description.logarithmic && !(range[0] > 0)) range[0] = range[1] * 1e-6;
   if (!(range[0] < range[1])) {

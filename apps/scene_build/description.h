@@ -53,6 +53,7 @@ struct InstanceSource {
 struct MaterialDescription {
   std::vector<Color> colors;
   std::vector<double> opacities, reflectivities, speculars = {};
+  bool operator==(const MaterialDescription&) const = default;
 };
 
 /// The points where the formula is not positive at this time.
@@ -75,7 +76,7 @@ struct ColorBy {
 /// formula in a box (empty: 0), a mesh, a solid of others, or copies of one. `by_component`: the materials
 /// are those of the operands of the min and max in which the formula ends. place: from its own space into the
 /// world's. `clips`: only what lies in all of them is there, in the world's space. time: its own; else it
-/// follows the scene's.
+/// follows the scene's. visible: else nothing of it is there but its instances.
 struct ObjectDescription {
   std::string name = {};
   std::variant<VolumeSource, FormulaSource, MeshSource, CsgSource, InstanceSource> source = {};
@@ -89,6 +90,7 @@ struct ObjectDescription {
   Transform place = {};
   std::optional<ColorBy> color_by = {};
   std::optional<double> time = {};
+  bool visible = true;
 };
 
 /// What is fixed at a frame; what a key does not name is interpolated between those that do.

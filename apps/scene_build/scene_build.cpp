@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <isocast/apps/scene_build/color_by.h>
+#include <isocast/apps/scene_build/no_surface.h>
 #include <isocast/apps/scene_build/scene_build.h>
 #include <isocast/base/error.h>
 #include <isocast/ray/transformed_surface.h>
@@ -45,15 +46,20 @@ std::size_t parts_of(const std::vector<double>& iso) {
 // Builds the objects one after the other into a scene.
 class Builder {
  public:
-  Builder(const SceneDescription& description, const EvaluationSettings& settings, BuiltScene& built)
-      : description_(description), settings_(settings), built_(built) {}
+  Builder(const SceneDescription& description, const EvaluationSettings& settings, VolumeLibrary& library,
+          BuiltScene& built)
+      : description_(description), settings_(settings), library_(library), built_(built) {}
 
   void add_all() {
     for (const ObjectDescription& wanted : description_.objects) {
-      if (const auto* const instance = std::get_if<InstanceSource>(&wanted.source))
+      if (!wanted.visible && !has_instances(wanted.name)) add_nothing(wanted);
+      else if (const auto* const instance = std::get_if<InstanceSource>(&wanted.source))
         add_instances(wanted, *instance);
       else add(wanted);
     }
+    // what only instances needed
+    for (std::size_t k = 0; k < built_.objects.size(); ++k)
+      if (!description_.objects[k].visible) hide(built_.objects[k]);
   }
 
  private:
@@ -64,10 +70,30 @@ class Builder {
     return static_cast<std::uint16_t>(number);
   }
 
+  [[nodiscard]] bool has_instances(const std::string& name) const {
+    return std::ranges::any_of(description_.objects, [&](const ObjectDescription& object) {
+      const auto* const instance = std::get_if<InstanceSource>(&object.source);
+      return instance && instance->of == name;
+    });
+  }
+  void add_nothing(const ObjectDescription& wanted) {
+    BuiltObject nothing;
+    nothing.name = wanted.name;
+    nothing.place = next_number();
+    nothing.iso = wanted.iso;
+    nothing.features = {"hidden"};
+    built_.scene.objects.push_back({std::make_shared<NoSurface>(), {Material()}});
+    built_.objects.push_back(std::move(nothing));
+  }
+  void hide(const BuiltObject& object) {
+    for (std::size_t part = 0; part < object.count; ++part)
+      built_.scene.objects[object.place + part].surface = std::make_shared<NoSurface>();
+  }
+
   void add(const ObjectDescription& wanted) {
     const std::size_t parts = parts_of(wanted.iso);
     std::shared_ptr<const ColorField> colors;
-    if (wanted.color_by) colors = make_color_field(*wanted.color_by);
+    if (wanted.color_by) colors = make_color_field(*wanted.color_by, library_);
     std::vector<BuiltObject> pieces;
     for (std::size_t part = 0; part < parts; ++part) {
       ObjectDescription piece = wanted;
@@ -89,12 +115,15 @@ class Builder {
       whole.features[1] = fmt::format("iso:{}", wanted.iso.size());
       for (std::size_t i = 1; i < pieces.size(); ++i) {
         whole.build_ms += pieces[i].build_ms;
+        whole.unclipped.push_back(pieces[i].unclipped.front());
         whole.acceleration_bytes += pieces[i].acceleration_bytes;
       }
       whole.move_surface = [pieces](const std::vector<double>& iso) {
         if (parts_of(iso) != pieces.size())
           throw InputError(fmt::format("found {} iso-values, expected about as many as before", iso.size()));
-        for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].move_surface(part_of(iso, i));
+        std::string method;
+        for (std::size_t i = 0; i < pieces.size(); ++i) method = pieces[i].move_surface(part_of(iso, i));
+        return method;
       };
       whole.change_method = [pieces](const auto&... arguments) {
         for (const BuiltObject& piece : pieces) piece.change_method(arguments...);
@@ -118,7 +147,7 @@ class Builder {
     instances.components = of->components;
     instances.features = {fmt::format("instances:{}", source.places.size())};
     std::shared_ptr<const ColorField> colors;
-    if (wanted.color_by) colors = make_color_field(*wanted.color_by);
+    if (wanted.color_by) colors = make_color_field(*wanted.color_by, library_);
     const bool own_materials = !wanted.materials.colors.empty() || !wanted.materials.opacities.empty() ||
                                !wanted.materials.reflectivities.empty() ||
                                !wanted.materials.speculars.empty();
@@ -140,8 +169,8 @@ class Builder {
 
   const SceneDescription& description_;
   const EvaluationSettings& settings_;
+  VolumeLibrary& library_;
   BuiltScene& built_;
-  VolumeLibrary library_;
 };
 
 }  // namespace
@@ -152,7 +181,7 @@ void BuiltScene::set_iso(std::size_t object, const std::vector<double>& iso,
   if (!moved.move_surface)
     throw InputError(fmt::format("object '{}' has no iso-values that can be moved", moved.name));
   moved.iso = iso;
-  moved.move_surface(iso);
+  moved.method = moved.move_surface(iso);
   const std::vector<Material> all =
       materials_of(materials, moved.components > 0 ? moved.components : iso.size());
   for (std::size_t part = 0; part < moved.count; ++part) {
@@ -162,14 +191,29 @@ void BuiltScene::set_iso(std::size_t object, const std::vector<double>& iso,
   }
 }
 
+void BuiltScene::set_clips(std::size_t object, const std::vector<SolidDescription>& clips) {
+  const BuiltObject& clipped_one = objects[object];
+  for (std::size_t part = 0; part < clipped_one.unclipped.size(); ++part) {
+    const std::size_t number = clipped_one.place + part;
+    scene.objects[number].surface =
+        clipped(clipped_one.unclipped[part], clips, static_cast<std::uint16_t>(number));
+  }
+}
+
 bool BuiltScene::proves() const { return std::ranges::any_of(objects, &BuiltObject::proves); }
 
 BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings) {
+  VolumeLibrary library;
+  return build_scene(description, settings, library);
+}
+
+BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings,
+                       VolumeLibrary& library) {
   if (description.objects.empty()) throw InputError("found a scene without objects, expected one or more");
   BuiltScene built;
   built.scene.background = description.background;
   if (!description.environment.empty()) built.scene.environment = read_environment(description.environment);
-  Builder(description, settings, built).add_all();
+  Builder(description, settings, library, built).add_all();
   add_up(built);
   built.scene.lights = description.lights;
   built.scene.ambient_occlusion = description.ambient_occlusion;

@@ -19,12 +19,16 @@ struct BuiltScene {
 
   /// Moves an object's surfaces to other iso-values (the file's scaled units); nothing is rebuilt.
   void set_iso(std::size_t object, const std::vector<double>& iso, const MaterialDescription& materials);
+  /// Other clip solids of an object; nothing is rebuilt.
+  void set_clips(std::size_t object, const std::vector<SolidDescription>& clips);
   /// Whether any object's hits and misses come with proofs.
   [[nodiscard]] bool proves() const;
 };
 
-/// Opens and builds what the description names and nothing else. Throws InputError for files, methods and
-/// options that cannot be used.
+/// Opens and builds what the description names and nothing else; volumes that the library has are not read
+/// again. Throws InputError for files, methods and options that cannot be used.
+[[nodiscard]] BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings,
+                                     VolumeLibrary& library);
 [[nodiscard]] BuiltScene build_scene(const SceneDescription& description, const EvaluationSettings& settings);
 
 }  // namespace isocast

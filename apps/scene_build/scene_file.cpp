@@ -91,16 +91,23 @@ Animation animation_from(const SceneJson& value, const SceneContext& context, co
   return animation;
 }
 
-// Names are there once, and everything that is called by one exists.
-void check_names(const SceneDescription& scene, const std::string& source) {
-  std::set<std::string> names;
-  for (const ObjectDescription& object : scene.objects)
+// The names of objects and of all operands in them are there once.
+void add_names(const std::vector<ObjectDescription>& objects, const std::string& source,
+               std::set<std::string>& names) {
+  for (const ObjectDescription& object : objects) {
     if (!object.name.empty() && !names.insert(object.name).second)
       throw InputError(fmt::format("{}: two objects have the name {}", source, in_quotes(object.name)));
-  const std::vector<std::string> list(names.begin(), names.end());
+    if (const auto* const csg = std::get_if<CsgSource>(&object.source)) add_names(csg->of, source, names);
+  }
+}
+
+// Everything that is called by a name exists.
+void check_names(const SceneDescription& scene, const std::string& source) {
+  std::set<std::string> names;
+  add_names(scene.objects, source, names);
   const auto require = [&](const std::string& name, const std::string& where) {
     if (names.contains(name)) return;
-    const std::string near = nearest_name(name, list);
+    const std::string near = nearest_name(name, {names.begin(), names.end()});
     throw InputError(fmt::format("{}: {}: no object has the name {}{}", source, where, in_quotes(name),
                                  near.empty() ? "" : fmt::format(", did you mean '{}'?", near)));
   };

@@ -19,6 +19,7 @@ class ObjectReader {
   ObjectDescription read() {
     ObjectDescription object;
     object.name = value_.value("name", "");
+    object.visible = value_.value("visible", true);
     if (value_.contains("time")) object.time = value_["time"].get<double>();
     object.source = read_source();
     object.iso = numbers("iso");

@@ -190,6 +190,7 @@ struct SceneRules {
   [[nodiscard]] Rule object(const Rule& type, std::string_view meaning, const Keys& own) const {
     const Keys shared = {{"type", &type, "", true},
                          {"name", &kName, "for messages, animation and instances"},
+                         {"visible", &kFlag, "default: true; else only its instances are there"},
                          {"material", &kMaterial, "how it looks"},
                          {"transform", &kTransform, "from its own space into the world's"},
                          {"clip", &kClips, "what lies in all of these is kept, in the world's space"},

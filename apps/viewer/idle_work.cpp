@@ -56,8 +56,10 @@ void IdleWork::run_extras(const JobScene& scene, const Wish& wish, const std::fu
 
 void IdleWork::find_statistics(const JobScene& scene) {
   if (results_.scene == scene.keeper.scene()) return;
-  const std::shared_ptr<const Volume> volume = scene.keeper.built().objects.front().volume;
-  results_.statistics = volume ? std::make_shared<const VolumeStatistics>(statistics_of(*volume)) : nullptr;
+  IdleResults::OfVolumes statistics;
+  for (std::size_t k = 0; k < scene.keeper.built().objects.size(); ++k)
+    statistics.push_back(scene.keeper.statistics(k));
+  results_.statistics = std::make_shared<const IdleResults::OfVolumes>(std::move(statistics));
   results_.scene = scene.keeper.scene();
 }
 

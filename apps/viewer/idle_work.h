@@ -21,9 +21,10 @@ struct JobScene {
 struct MethodPoint;
 using Job = std::function<void(const JobScene&)>;
 
-/// Statistics of the volume `scene` (SceneNews), null: none; the methods' points.
+/// Statistics of the volumes of `scene` (SceneNews) by object, null: none; the methods' points.
 struct IdleResults {
-  std::atomic<std::shared_ptr<const VolumeStatistics>> statistics;
+  using OfVolumes = std::vector<std::shared_ptr<const VolumeStatistics>>;
+  std::atomic<std::shared_ptr<const OfVolumes>> statistics;
   std::atomic<int> scene = 0;
   std::atomic<std::shared_ptr<const std::vector<MethodPoint>>> points;
 };

@@ -3,6 +3,7 @@
 #include <isocast/apps/scene_build/applicable_methods.h>
 #include <isocast/apps/scene_build/formula_input.h>
 #include <isocast/apps/scene_build/scene_file.h>
+#include <isocast/apps/viewer/scene_document.h>
 #include <isocast/apps/viewer/scene_keeper.h>
 #include <isocast/base/error.h>
 #include <isocast/render/environment_file.h>
@@ -29,13 +30,25 @@ std::vector<std::string> method_words(const RenderWords& words) {
   return list;
 }
 
+ObjectNews news_of(const BuiltObject& built, const Scene& scene, const ObjectDescription& description) {
+  ObjectNews news{built.volume != nullptr, built.iso, {}, built.method, built.method_reason, {}};
+  for (std::size_t part = 0; part < built.count; ++part) {
+    const std::vector<Material>& materials = scene.objects[built.place + part].materials;
+    news.materials.insert(news.materials.end(), materials.begin(), materials.end());
+  }
+  if (!built.move_surface && !news.materials.empty()) news.iso = {0}, news.materials.resize(1);
+  if (built.change_method)
+    for (const Method& method : applicable_methods(description)) news.methods.emplace_back(method.name);
+  return news;
+}
+
 }  // namespace
 
 std::vector<std::string> source_of(const RenderWords& words) {
   std::vector<std::string> source = {words.input,   words.domain,    words.time,
                                      words.normals, words.read.grid, words.by_component ? "components" : ""};
+  if (!words.scene_text.empty()) source.push_back(built_part(words.scene_text));
   append(source, words.params);
-  append(source, words.clips);
   if (!is_volume(words)) append(source, method_words(words));
   return source;
 }
@@ -61,23 +74,17 @@ void SceneKeeper::show(const RenderWords& words) {
 }
 
 void SceneKeeper::build(const RenderWords& words, const SceneDescription& description) {
-  BuiltScene built = build_scene(description, evaluation_of(words));
+  BuiltScene built = build_scene(description, evaluation_of(words), library_);
+  library_.drop_unused();
   built_ = std::move(built);
   walker_.reset();
   ++scene_;
 }
 
 void SceneKeeper::change(const RenderWords& words, const SceneDescription& description) {
-  const ObjectDescription& object = description.objects.front();
-  BuiltObject& first = built_->objects.front();
-  if (method_words(words) != method_words(words_)) {
-    const std::string method = object.method == "auto" ? "marmitt" : object.method;
-    first.change_method(method, object.settings, evaluation_of(words));
-    first.method = method;
-    first.method_reason.clear();
-    first.proves = built_->scene.objects.front().surface->proves();
-  }
-  if (first.move_surface) built_->set_iso(0, object.iso.empty() ? first.iso : object.iso, object.materials);
+  const bool evaluated_otherwise = words.precision != words_.precision || words.isa != words_.isa;
+  for (std::size_t k = 0; k < description.objects.size(); ++k)
+    change(k, description.objects[k], evaluated_otherwise, evaluation_of(words));
   built_->scene.lights = description.lights;
   built_->scene.shadows = description.shadows;
   built_->scene.ambient_occlusion = description.ambient_occlusion;
@@ -85,20 +92,51 @@ void SceneKeeper::change(const RenderWords& words, const SceneDescription& descr
     built_->scene.environment = words.environment.empty() ? nullptr : read_environment(words.environment);
 }
 
+void SceneKeeper::change(std::size_t k, const ObjectDescription& wanted, bool evaluated_otherwise,
+                         const EvaluationSettings& evaluation) {
+  const ObjectDescription& before = description_.objects[k];
+  BuiltObject& built = built_->objects[k];
+  const bool other_method = wanted.method != before.method || wanted.settings != before.settings;
+  if (built.volume && (other_method || evaluated_otherwise)) {
+    const std::string method = wanted.method == "auto" ? "marmitt" : wanted.method;
+    built.change_method(method, wanted.settings, evaluation);
+    built.method = method;
+    built.method_reason.clear();
+    built.proves = built.unclipped.front()->proves();
+  }
+  if (built.move_surface && (wanted.iso != before.iso || wanted.materials != before.materials))
+    built_->set_iso(k, wanted.iso.empty() ? default_iso(wanted) : wanted.iso, wanted.materials);
+  if (!built.unclipped.empty() && (!wanted.clips.empty() || !before.clips.empty()))
+    built_->set_clips(k, wanted.clips);
+}
+
+std::vector<double> SceneKeeper::default_iso(const ObjectDescription& object) {
+  const auto* const volume = std::get_if<VolumeSource>(&object.source);
+  if (!volume) return {0};
+  return {library_.statistics(*volume)->suggested_iso.front()};
+}
+
+std::shared_ptr<const VolumeStatistics> SceneKeeper::statistics(std::size_t object) {
+  const ObjectDescription& description = description_.objects[object];
+  const auto* const volume = std::get_if<VolumeSource>(&description.source);
+  return volume && description.visible ? library_.statistics(*volume) : nullptr;
+}
+
 void SceneKeeper::prepare_previews() {
   preview_ = built_->scene;
   const ObjectDescription& object = description_.objects.front();
-  if (!is_volume(words_) || !object.clips.empty()) return;
+  const BuiltObject& built = built_->objects.front();
+  if (built_->scene.objects.size() > 1 || !built.volume || !object.clips.empty()) return;
   const EvaluationSettings evaluation = evaluation_of(words_);
   VolumeSurfaceOptions options;
-  options.iso = built_->objects.front().iso;
+  options.iso = built.iso;
   options.method = choose_cell_method(object.method, object.settings);
   options.double_precision = evaluation.double_precision;
   options.isa = evaluation.isa;
   options.normals = object.normals;
   options.order = RayOrder::walk;
   if (walker_) walker_->set_options(options);
-  else walker_ = std::make_shared<VolumeSurface>(built_->objects.front().volume, options);
+  else walker_ = std::make_shared<VolumeSurface>(built.volume, options);
   preview_.objects.front().surface = walker_;
 }
 
@@ -113,21 +151,14 @@ SceneNews SceneKeeper::news() const {
   SceneNews news;
   news.any = any();
   if (!any()) return news;
-  const BuiltObject& first = built_->objects.front();
-  news.is_volume = first.volume != nullptr;
   news.proves = built_->proves();
   news.bounds = built_->scene.bounds();
   news.camera = description_.camera;
-  news.iso = first.iso;
-  news.materials = built_->scene.objects.front().materials;
-  news.objects = built_->objects.size();
-  news.method = first.method;
-  news.method_reason = first.method_reason;
+  for (std::size_t k = 0; k < built_->objects.size(); ++k)
+    news.objects.push_back(news_of(built_->objects[k], built_->scene, description_.objects[k]));
   news.isa = isa_word(evaluation_of(words_));
-  if (first.volume) news.type = std::string(first.volume->type_name());
-  if (first.change_method)
-    for (const Method& method : applicable_methods(description_.objects.front()))
-      news.methods.emplace_back(method.name);
+  const auto& volume = built_->objects.front().volume;
+  if (volume) news.type = std::string(volume->type_name());
   news.features = built_->features;
   news.left_out = built_->left_out;
   news.volume_bytes = built_->volume_bytes;

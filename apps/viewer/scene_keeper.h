@@ -11,7 +11,8 @@ namespace isocast::viewer {
 class SceneKeeper {
  public:
   /// Makes the scene that of these words. Another input is loaded and built; of a volume another method,
-  /// iso-values, looks and lights rebuild nothing, of a formula iso-values, looks and lights. Throws
+  /// iso-values, looks, clip solids and lights rebuild nothing, of a formula all of these but the method, and
+  /// volumes that stay are not loaded again. Throws
   /// InputError, and Interrupted where the work is unwanted: then the scene is what it was, and the same
   /// source is not tried again.
   void show(const RenderWords& words);
@@ -24,14 +25,20 @@ class SceneKeeper {
   [[nodiscard]] const RenderWords& words() const { return words_; }
   /// How many scenes there have been.
   [[nodiscard]] int scene() const { return scene_; }
+  /// Of an object's volume; null: it has none.
+  [[nodiscard]] std::shared_ptr<const VolumeStatistics> statistics(std::size_t object);
   /// What the interface needs to know of it.
   [[nodiscard]] SceneNews news() const;
 
  private:
   void build(const RenderWords& words, const SceneDescription& description);
   void change(const RenderWords& words, const SceneDescription& description);
+  void change(std::size_t k, const ObjectDescription& wanted, bool evaluated_otherwise,
+              const EvaluationSettings& evaluation);
+  [[nodiscard]] std::vector<double> default_iso(const ObjectDescription& object);
   void prepare_previews();
 
+  VolumeLibrary library_;
   std::optional<BuiltScene> built_;
   Scene preview_;
   std::shared_ptr<VolumeSurface> walker_;  // of previews; null where they have the scene's own surfaces

@@ -57,19 +57,27 @@ struct Picture {
   double ms = 0, latency_ms = 0;
 };
 
+/// What is known of an object. iso, materials: of a mesh, a csg or instances one for the whole; without
+/// methods there is none to choose.
+struct ObjectNews {
+  bool is_volume = false;
+  std::vector<double> iso;
+  std::vector<Material> materials;
+  std::string method, method_reason;
+  std::vector<std::string> methods;
+};
+
 /// What is known of the scene behind the pictures. error: why the newest wish cannot be fulfilled, else
 /// empty; the scene is then the one before.
 struct SceneNews {
   std::uint64_t revision = 0;
   std::string error;
-  bool any = false, is_volume = false, proves = false;
+  bool any = false, proves = false;
   Box bounds;
-  CameraWishes camera;              // what is fixed of it
-  std::vector<double> iso;          // of the first object,
-  std::vector<Material> materials;  // with their looks
-  std::size_t objects = 0;
-  std::string method, method_reason, isa, type;
-  std::vector<std::string> methods, features, left_out;
+  CameraWishes camera;  // what is fixed of it
+  std::vector<ObjectNews> objects;
+  std::string isa, type;
+  std::vector<std::string> features, left_out;
   std::int64_t volume_bytes = 0, acceleration_bytes = 0;
   double load_ms = 0, build_ms = 0;
   int scene = 0;  // counts scenes: another one, another histogram

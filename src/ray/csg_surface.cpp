@@ -50,7 +50,8 @@ CsgPart closed(CsgOperand operand, const Box& box, const Transform& world_from_b
           {{CsgOperation::operand, std::move(operand), {}}, {CsgOperation::operand, faces, {}}}};
 }
 
-CsgSurface::CsgSurface(CsgPart part, std::uint16_t object) : part_(std::move(part)), object_(object) {
+CsgSurface::CsgSurface(CsgPart part, std::uint16_t object)
+    : part_(std::move(part)), walks_(std::make_shared<CsgWalks>()), object_(object) {
   flatten(part_, operands_);
   for (const CsgOperand& operand : operands_) {
     if (operand.iso_count < 1 || operand.iso_count > kMostIsos)
@@ -70,11 +71,11 @@ CsgSurface::CsgSurface(CsgPart part, std::uint16_t object) : part_(std::move(par
 void CsgSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   HitStream own;
   clear(own);
-  bool open[kStreamSize];
+  RaySet open;
   const int passed[kStreamSize] = {};
   for (int i = 0; i < rays.size; ++i) open[i] = rays.t_min[i] <= rays.t_max[i];
   CsgWalk walk(*this, rays, counts);
-  walk.find(open, passed, own);
+  walk.find(open, passed, own, counts);
   for (int i = 0; i < rays.size; ++i) {
     hits.cost[i] += walk.cost(i);
     if (own.t[i] < hits.t[i]) copy_slot(own, hits, i);
@@ -83,16 +84,18 @@ void CsgSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& 
 }
 
 void CsgSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
-  bool open[kStreamSize], any = false;
+  RaySet open;
   int passed[kStreamSize];
   for (int i = 0; i < rays.size; ++i) {
     open[i] = hits.object[i] == object_ && is_hit(hits, i);
-    any = any || open[i];
-    if (!open[i]) continue;
-    passed[i] = static_cast<int>(hits.s[i]);
-    hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = Box::inf;
+    if (open[i]) passed[i] = static_cast<int>(hits.s[i]);
   }
-  if (any) CsgWalk(*this, rays, counts).find(open, passed, hits);
+  if (open.none()) return;
+  std::unique_ptr<CsgWalk>& walk = walks_->of_threads.local()[static_cast<std::size_t>(rays.kind)];
+  if (!walk || !walk->leads_to(rays, open, hits)) walk = std::make_unique<CsgWalk>(*this, rays, counts);
+  for (int i = 0; i < rays.size; ++i)
+    if (open[i]) hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = Box::inf;
+  walk->find(open, passed, hits, counts);
 }
 
 void CsgSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,

@@ -33,6 +33,8 @@ struct CsgPart {
 [[nodiscard]] CsgPart closed(CsgOperand operand, const Box& box, const Transform& world_from_box,
                              std::uint16_t object);
 
+struct CsgWalks;
+
 /// Union, intersection and difference of solids of any kind, nested to any depth.
 ///
 /// The crossings of a ray with all operands are taken in order of t; each changes on which side of its
@@ -44,7 +46,8 @@ struct CsgPart {
 ///         sides: bits 0 to 23 of the operand that was hit, and its number from bit 24 on
 /// proofs  a hit is proved where every crossing up to it, the sides of all operands and the order are; so is
 ///         a miss
-/// cost    next_hit begins at the ray's start: the n-th crossing takes as many steps as all before it
+/// cost    next_hit goes on from the last crossings that its thread has found along the same rays of the same
+///         kind; the first time, and where others have come between, it begins at the rays' start
 /// source  Roth: Ray casting for modeling solids, Computer Graphics and Image Processing 18(2), 1982
 class CsgSurface final : public Surface {
  public:
@@ -75,6 +78,7 @@ class CsgSurface final : public Surface {
   std::vector<CsgOperand> operands_;
   std::vector<int> first_iso_;  // per operand: iso-values of those before it
   int iso_count_ = 0;
+  std::shared_ptr<CsgWalks> walks_;  // of next_hit
   Box bounds_;
   bool proves_ = true;
   std::uint16_t object_;

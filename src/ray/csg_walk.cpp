@@ -6,285 +6,162 @@
 namespace isocast {
 namespace {
 
-constexpr int kOperandShift = CsgSurface::kMostIsos;
-constexpr std::uint32_t kSidesMask = (1u << kOperandShift) - 1;
+bool is_same_ray(const RayStream& a, const RayStream& b, int i) {
+  return a.ox[i] == b.ox[i] && a.oy[i] == b.oy[i] && a.oz[i] == b.oz[i] && a.dx[i] == b.dx[i] &&
+         a.dy[i] == b.dy[i] && a.dz[i] == b.dz[i] && a.t_min[i] == b.t_min[i] && a.t_max[i] == b.t_max[i] &&
+         a.start_object[i] == b.start_object[i] && a.start_sides[i] == b.start_sides[i];
+}
 
 }  // namespace
 
-// The nearest crossings of a ray, all at one t. operand: the one whose hit this is, -1 where the solid goes
-// on through it.
-struct CsgWalk::Event {
-  int operand = -1;
-  bool any = false, doubtful = false;
+// The nearest crossings of every ray, for each all at one t.
+//
+// operand   the one whose hit this is, -1 where the solid goes on through it
+// outer     the first operand that the ray enters or leaves there, or -1
+// inner     per operand: rays that only cross an iso-value inside it
+// doubtful  rays of which it is not known what lies behind the crossing, which is kept in `kept`
+struct CsgWalk::Events {
+  explicit Events(std::size_t operands) : inner(operands) {}
+  void clear() {
+    any.reset(), doubtful.reset();
+    std::ranges::fill(operand, -1), std::ranges::fill(outer, -1);
+    std::ranges::fill(inner, RaySet());
+  }
+
+  RaySet any, doubtful;
+  int operand[kStreamSize], outer[kStreamSize], kept_operand[kStreamSize];
+  std::vector<RaySet> inner;
+  HitStream kept;
 };
 
 CsgWalk::CsgWalk(const CsgSurface& csg, const RayStream& rays, TraceCounts& counts)
     : csg_(csg),
       rays_(rays),
-      counts_(counts),
-      count_(static_cast<int>(csg.operands_.size())),
-      waiting_(std::make_unique_for_overwrite<HitStream[]>(csg.operands_.size())),
-      sides_(std::make_unique_for_overwrite<std::uint32_t[][kStreamSize]>(csg.operands_.size())),
-      taken_(std::make_unique<bool[][kStreamSize]>(csg.operands_.size())),
-      traced_(std::make_unique<bool[]>(csg.operands_.size())),
-      stretches_(std::make_unique<Stretch[][kStreamSize]>(csg.operands_.size())) {
+      count_(csg.operands_.size()),
+      sides_(csg.part_, csg.operands_),
+      carried_(rays),
+      waiting_(std::make_unique_for_overwrite<HitStream[]>(count_)),
+      taken_(count_),
+      stretches_(std::make_unique<Stretch[][kStreamSize]>(count_)) {
   for (int i = 0; i < rays.size; ++i)
-    starts_here_ = starts_here_ || (rays.t_min[i] <= rays.t_max[i] && rays.start_object[i] == csg.object_);
+    starts_here_[i] = rays.t_min[i] <= rays.t_max[i] && rays.start_object[i] == csg.object_;
   for (const bool boxes : {true, false})
-    for (int k = 0; k < count_; ++k) {
+    for (std::size_t k = 0; k < count_; ++k) {
       const bool is_box = dynamic_cast<const BoxSurface*>(csg.operands_[k].surface.get()) != nullptr;
       if (is_box != boxes) continue;
-      trace(k);
-      settle(k);
+      trace(k, counts);
+      settle();
     }
 }
 
-// The first crossings with operand k, and the sides in front of them.
-void CsgWalk::trace(int k) {
-  HitStream& hits = waiting_[k];
-  const Surface& surface = *csg_.operands_[k].surface;
-  clear(hits);
-  if (csg_.proves_) std::ranges::fill(hits.certificate, Certificate::proved_miss);
-  const RayStream& rays = open_rays_of(k);
-  surface.first_hit(rays, hits, counts_);
-  RaySides found[kStreamSize];
-  if (std::any_of(hits.t, hits.t + rays.size, [](double t) { return !(t < __builtin_inf()); }))
-    surface.find_sides(rays, hits, found);
-  for (int i = 0; i < rays.size; ++i) {
-    if (is_hit(hits, i)) sides_[k][i] = hits.sides[i];
-    else if (carries(k, i)) sides_[k][i] = rays_.start_sides[i] & kSidesMask;
-    else {
-      sides_[k][i] = found[i].below;
-      doubt_[i] = doubt_[i] || (!settled_[i] && !found[i].sure);
-    }
-  }
-  traced_[k] = true;
-}
-
-// Finds the rays for which, after operand k, it does not matter any more what others say.
-void CsgWalk::settle(int k) {
-  for (int i = 0; i < rays_.size; ++i) {
-    if (settled_[i] || is_hit(waiting_[k], i)) continue;
-    int operand = 0;
-    settled_[i] = known(csg_.part_, i, operand) != Known::nothing;
-    any_settled_ = any_settled_ || settled_[i];
-  }
-}
-
-// What is known of a part all along the ray.
-CsgWalk::Known CsgWalk::known(const CsgPart& part, int i, int& operand) const {
-  if (part.operation == CsgOperation::operand) {
-    const int k = operand++;
-    if (!traced_[k] || is_hit(waiting_[k], i)) return Known::nothing;
-    return in_operand(k, i) ? Known::inside : Known::outside;
-  }
-  // a union is the complement of the complements' intersection, a difference the intersection with them
-  const auto turned = [](Known one) {
-    return one == Known::nothing ? one : one == Known::inside ? Known::outside : Known::inside;
-  };
-  const bool unite = part.operation == CsgOperation::unite,
-             subtract = part.operation == CsgOperation::subtract;
-  Known all = Known::inside;
-  for (std::size_t n = 0; n < part.parts.size(); ++n) {
-    Known one = known(part.parts[n], i, operand);
-    if (unite || (subtract && n > 0)) one = turned(one);
-    if (all == Known::outside || one == Known::outside) all = Known::outside;
-    else if (one == Known::nothing) all = Known::nothing;
-  }
-  return unite ? turned(all) : all;
-}
-
-// Without those that ask no more.
-const RayStream& CsgWalk::open_rays_of(int k) {
-  const RayStream& rays = rays_of(k);
-  if (!any_settled_) return rays;
-  if (!carried_) carried_ = std::make_unique<RayStream>(rays_);
+// Rays for which it does not matter any more what other operands say ask no more.
+void CsgWalk::settle() {
+  settled_ = sides_.settled();
   for (int i = 0; i < rays_.size; ++i)
-    if (settled_[i]) carried_->t_min[i] = 1, carried_->t_max[i] = 0;
-  return *carried_;
-}
-
-// The rays as operand k sees them: one that starts on another operand does not start on it.
-const RayStream& CsgWalk::rays_of(int k) {
-  if (!starts_here_) return carried_ ? *carried_ : rays_;
-  if (!carried_) carried_ = std::make_unique<RayStream>(rays_);
-  for (int i = 0; i < rays_.size; ++i) {
-    if (rays_.start_object[i] != csg_.object_) continue;
-    carried_->start_object[i] = carries(k, i) ? csg_.object_ : kNoObject;
-    carried_->start_sides[i] = rays_.start_sides[i] & kSidesMask;
-  }
-  return *carried_;
-}
-
-bool CsgWalk::carries(int k, int i) const {
-  return rays_.start_object[i] == csg_.object_ && rays_.start_sides[i] >> kOperandShift == unsigned(k);
-}
-
-bool CsgWalk::in_operand(int k, int i) const {
-  const CsgOperand& operand = csg_.operands_[k];
-  const std::uint32_t all = (1u << operand.iso_count) - 1, below = sides_[k][i] & all;
-  return operand.above ? below != all : below != 0;
-}
-
-bool CsgWalk::is_inside(const CsgPart& part, int i, int& operand) const {
-  if (part.operation == CsgOperation::operand) return in_operand(operand++, i);
-  bool inside = is_inside(part.parts[0], i, operand);
-  for (std::size_t n = 1; n < part.parts.size(); ++n) {
-    const bool next = is_inside(part.parts[n], i, operand);  // always asked: it counts the operands
-    if (part.operation == CsgOperation::unite) inside = inside || next;
-    else inside = inside && (part.operation == CsgOperation::intersect ? next : !next);
-  }
-  return inside;
-}
-bool CsgWalk::is_inside(int i) const {
-  int operand = 0;
-  return is_inside(csg_.part_, i, operand);
+    if (settled_[i]) carried_.t_min[i] = 1, carried_.t_max[i] = 0;
 }
 
 // Passes the nearest waiting crossings of ray i, and marks them as taken.
-CsgWalk::Event CsgWalk::take_nearest(int i) {
+void CsgWalk::take_nearest(int i, Events& events) {
   double t = Box::inf, t_hi = Box::inf;
-  for (int k = 0; k < count_; ++k)
+  for (std::size_t k = 0; k < count_; ++k)
     if (waiting_[k].t[i] < t) t = waiting_[k].t[i], t_hi = waiting_[k].t_hi[i];
-  Event event;
-  if (!(t < Box::inf)) return event;
-  event.any = true;
+  if (!(t < Box::inf)) return;
+  events.any.set(i);
   // nothing else may lie within the bracket, and nobody's way up to it may be in doubt
   int near = 0;
-  for (int k = 0; k < count_; ++k) {
+  for (std::size_t k = 0; k < count_; ++k) {
     near += is_hit(waiting_[k], i) && waiting_[k].t_lo[i] <= t_hi;
-    doubt_[i] = doubt_[i] || waiting_[k].certificate[i] == Certificate::undecided;
+    if (waiting_[k].certificate[i] == Certificate::undecided) doubt_.set(i);
   }
-  doubt_[i] = doubt_[i] || near > 1;
+  if (near > 1) doubt_.set(i);
 
-  const bool before = is_inside(i);
-  int inner = -1, outer = -1;
-  for (int k = 0; k < count_; ++k) {
+  bool inner = false;
+  for (std::size_t k = 0; k < count_; ++k) {
     if (waiting_[k].t[i] != t) continue;
-    const bool was_in = in_operand(k, i);
-    sides_[k][i] = sides_behind(waiting_[k], i);
-    taken_[k][i] = true;
+    const bool was_in = sides_.in_operand(k)[i];
+    sides_.set(k, i, sides_behind(waiting_[k], i));
+    taken_[k].set(i);
     if (waiting_[k].certificate[i] == Certificate::undecided) {
-      event.doubtful = true;
-      copy_slot(waiting_[k], doubtful_, i);
-      doubtful_operand_[i] = k;
+      events.doubtful.set(i);
+      copy_slot(waiting_[k], events.kept, i);
+      events.kept_operand[i] = static_cast<int>(k);
     }
-    int& first = was_in == in_operand(k, i) ? inner : outer;
-    if (first < 0) first = k;
+    if (was_in != sides_.in_operand(k)[i]) {
+      if (events.outer[i] < 0) events.outer[i] = static_cast<int>(k);
+    } else if (!inner) events.inner[k].set(i), inner = true;
   }
-  inside_before_[i] = before;
-  if (event.doubtful) return event;
-  const bool behind = is_inside(i);
-  if (before != behind) event.operand = outer;
-  else if (inner >= 0 && outer < 0 && behind) {
+}
+
+// Which crossings are hits; `before`: the rays that were in the solid in front of them.
+void CsgWalk::find_operands(const RaySet& before, Events& events) {
+  const RaySet behind = sides_.inside();
+  for (int i = 0; i < rays_.size; ++i)
+    if (before[i] != behind[i]) events.operand[i] = events.outer[i];
+  for (std::size_t k = 0; k < count_; ++k) {
+    const RaySet inner = events.inner[k] & before & behind;
+    if (inner.none()) continue;
     // an inner surface is there if without its operand the solid were not
-    std::uint32_t& sides = sides_[inner][i];
-    const std::uint32_t kept = sides;
-    sides = csg_.operands_[inner].above ? ~0u : 0;
-    if (!is_inside(i)) event.operand = inner;
-    sides = kept;
-  }
-  return event;
-}
-
-// Asks the operands for what lies behind the crossings that were taken.
-void CsgWalk::follow() {
-  HitStream asked;
-  for (int k = 0; k < count_; ++k) {
-    const bool any = std::any_of(taken_[k], taken_[k] + rays_.size, [](bool taken) { return taken; });
-    if (!any) continue;
-    asked = waiting_[k];
-    bool doubtful = false;
-    for (int i = 0; i < rays_.size; ++i) {
-      if (!taken_[k][i] || stretches_[k][i].leaps_behind(waiting_[k], i)) forget(asked, i);
-      doubtful = doubtful || (taken_[k][i] && waiting_[k].certificate[i] == Certificate::undecided);
-    }
-    csg_.operands_[k].surface->next_hit(rays_of(k), asked, counts_);
-    if (doubtful) follow_doubtful(k, asked);
-    for (int i = 0; i < rays_.size; ++i) {
-      if (!taken_[k][i]) continue;
-      taken_[k][i] = false;
-      // a hit that was taken has left its certificate behind
-      if (!is_hit(asked, i) && asked.certificate[i] == Certificate::proved_hit)
-        asked.certificate[i] = Certificate::proved_miss;
-      copy_slot(asked, waiting_[k], i);
-      waiting_[k].cost[i] = asked.cost[i];
-      if (is_hit(asked, i)) sides_[k][i] = asked.sides[i];
-    }
+    const RaySet there = inner & ~sides_.inside_without(k);
+    for (int i = 0; i < rays_.size; ++i)
+      if (there[i] && events.outer[i] < 0) events.operand[i] = static_cast<int>(k);
   }
 }
 
-// Behind undecided crossings with operand k: a ray that keeps following the surface leaps as far as it has
-// followed it, and what lies behind the last of its crossings is looked up.
-void CsgWalk::follow_doubtful(int k, HitStream& asked) {
-  const Surface& surface = *csg_.operands_[k].surface;
-  const auto ahead = std::make_unique<RayStream>(rays_of(k));
-  const auto found = std::make_unique<HitStream>();
-  clear(*found);
-  bool leaps = false;
-  for (int i = 0; i < rays_.size; ++i) {
-    const HitStream& hits = waiting_[k];
-    const bool doubtful = taken_[k][i] && hits.certificate[i] == Certificate::undecided && !is_hit(asked, i),
-               leap = doubtful && asked.object[i] == kNoObject;
-    ahead->start_object[i] = kNoObject;
-    if (!doubtful) ahead->t_max[i] = 0, ahead->t_min[i] = 1;
-    else ahead->t_min[i] = hits.t_hi[i] + (leap ? stretches_[k][i].length(hits, i) : 0);
-    found->object[i] = leap ? kNoObject : csg_.object_;
-    leaps = leaps || leap;
-  }
-  if (leaps) surface.first_hit(*ahead, *found, counts_);
-  RaySides sides[kStreamSize];
-  surface.find_sides(*ahead, *found, sides);
-  for (int i = 0; i < rays_.size; ++i) {
-    if (!(ahead->t_min[i] <= ahead->t_max[i])) continue;
-    if (is_hit(*found, i)) copy_slot(*found, asked, i);
-    else sides_[k][i] = sides[i].below;
-    asked.certificate[i] = Certificate::undecided;
-  }
-}
-
-void CsgWalk::emit(int i, int operand, const HitStream& found, int number, HitStream& hits) const {
+void CsgWalk::emit(int i, int operand, const HitStream& found, HitStream& hits) {
   copy_slot(found, hits, i);
-  hits.s[i] = number;
+  hits.s[i] = crossings_[i];
   hits.iso[i] = static_cast<std::uint8_t>(csg_.first_iso_[operand] + found.iso[i]);
-  hits.sides[i] = (found.sides[i] & kSidesMask) | std::uint32_t(operand) << kOperandShift;
+  hits.sides[i] = (found.sides[i] & kSidesOfOperand) | std::uint32_t(operand) << CsgSurface::kMostIsos;
   hits.object[i] = csg_.object_;
   if (csg_.proves_) hits.certificate[i] = doubt_[i] ? Certificate::undecided : Certificate::proved_hit;
+  t_[i] = hits.t[i];
 }
 
-void CsgWalk::find(bool (&open)[kStreamSize], const int (&passed)[kStreamSize], HitStream& hits) {
-  int taken[kStreamSize] = {};
-  for (bool any = true; any;) {
-    any = false;
-    bool doubtful[kStreamSize] = {};
+bool CsgWalk::leads_to(const RayStream& rays, const RaySet& open, const HitStream& hits) const {
+  for (int i = 0; i < rays.size; ++i) {
+    if (!open[i]) continue;
+    const bool passed = crossings_[i] < hits.s[i] || (crossings_[i] == hits.s[i] && t_[i] == hits.t[i]);
+    if (!passed || rays.kind != rays_.kind || i >= rays_.size || !is_same_ray(rays, rays_, i)) return false;
+  }
+  return true;
+}
+
+void CsgWalk::find(RaySet open, const int (&passed)[kStreamSize], HitStream& hits, TraceCounts& counts) {
+  Events events(count_);
+  follow(open, counts);
+  while (open.any()) {
+    const RaySet before = sides_.inside();
+    events.clear();
+    for (int i = 0; i < rays_.size; ++i)
+      if (open[i] && !settled_[i]) take_nearest(i, events);
+    find_operands(before, events);
     for (int i = 0; i < rays_.size; ++i) {
       if (!open[i]) continue;
-      const Event event = settled_[i] ? Event() : take_nearest(i);
-      ++taken[i];
-      doubtful[i] = event.doubtful;
-      if (!event.any) {
-        open[i] = false;
-        for (int k = 0; k < count_; ++k)
-          doubt_[i] = doubt_[i] || waiting_[k].certificate[i] == Certificate::undecided;
+      ++crossings_[i];
+      if (!events.any[i]) {
+        open.reset(i);
+        for (std::size_t k = 0; k < count_; ++k)
+          if (waiting_[k].certificate[i] == Certificate::undecided) doubt_.set(i);
         if (doubt_[i] && csg_.proves_) hits.certificate[i] = Certificate::undecided;
-      } else if (event.operand < 0 || taken[i] <= passed[i]) any = true;
-      else {
-        open[i] = false;
-        emit(i, event.operand, waiting_[event.operand], taken[i], hits);
+      } else if (!events.doubtful[i] && events.operand[i] >= 0 && crossings_[i] > passed[i]) {
+        open.reset(i);
+        emit(i, events.operand[i], waiting_[events.operand[i]], hits);
       }
     }
-    if (any) follow();
+    follow(open, counts);
+    const RaySet behind = sides_.inside();
     for (int i = 0; i < rays_.size; ++i) {
-      if (!doubtful[i] || taken[i] <= passed[i] || is_inside(i) == inside_before_[i]) continue;
-      open[i] = false;
-      emit(i, doubtful_operand_[i], doubtful_, taken[i], hits);
+      if (!open[i] || !events.doubtful[i] || crossings_[i] <= passed[i] || behind[i] == before[i]) continue;
+      open.reset(i);
+      emit(i, events.kept_operand[i], events.kept, hits);
     }
   }
 }
 
 std::uint32_t CsgWalk::cost(int i) const {
   std::uint32_t cost = 0;
-  for (int k = 0; k < count_; ++k) cost += waiting_[k].cost[i];
+  for (std::size_t k = 0; k < count_; ++k) cost += waiting_[k].cost[i];
   return cost;
 }
 

@@ -45,6 +45,12 @@ Color ColorMap::at(double x) const {
   return color;
 }
 
+std::vector<std::string> color_map_names() {
+  std::vector<std::string> names;
+  for (const auto& map : kMaps) names.emplace_back(map.name);
+  return names;
+}
+
 ColorMap color_map_from_name(const std::string& name) {
   for (const auto& [known, colors] : kMaps) {
     if (known != name) continue;

@@ -32,5 +32,6 @@ class ColorMap {
 /// color maps for scientific visualization, ISVC 2009), each from a few of its points. Throws InputError with
 /// the names for any other.
 [[nodiscard]] ColorMap color_map_from_name(const std::string& name);
+[[nodiscard]] std::vector<std::string> color_map_names();
 
 }  // namespace isocast

@@ -1,19 +1,9 @@
 #!/usr/bin/env bash
 # Jobs of many frames: killed at any moment and resumed they are those of an undisturbed run, byte by byte.
 # usage: batch_test.sh PROGRAM
-set -uo pipefail
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
+. "$(dirname "$0")/program_test.sh"
 RANDOM=${SEED:-1}
 
-fail() {
-  echo "$*"
-  failures=$((failures + 1))
-}
-same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
 # there N: what --resume says of the frames that it found
 there() { grep -q "^$1 of " err.txt || fail "$2: expected $1 frames to be there, found '$(tail -1 err.txt)'"; }
 
@@ -100,4 +90,4 @@ refuse "I from 1 to N" "x" --iso-sweep 0:1:4 --shard 0/3
 refuse "I from 1 to N" "x" --iso-sweep 0:1:4 --shard 4/3
 
 refuse "expected --spp above 1" "x" --filter gaussian
-((failures == 0)) || exit 1
+end_of_test "jobs are whole"

@@ -1,17 +1,7 @@
 #!/usr/bin/env bash
 # The program as a user meets it: exit codes, one sentence for every mistake, the same bytes always, no half files.
 # usage: command_line_test.sh PROGRAM
-set -uo pipefail
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-fail() {
-  echo "$*"
-  failures=$((failures + 1))
-}
+. "$(dirname "$0")/program_test.sh"
 
 # expect CODE WORDS ARGUMENT...: the exit code, and words that the one sentence on stderr must hold
 expect() {
@@ -207,5 +197,4 @@ wait $!
 [[ $(cat kept.png) == old ]] || fail "Ctrl-C: the old picture is gone"
 compgen -G ".*part*" >/dev/null && fail "Ctrl-C: a half file is left"
 
-((failures == 0)) && echo "every run did what was expected"
-exit $((failures > 0))
+end_of_test "every run did what was expected"

@@ -1,16 +1,7 @@
 #!/usr/bin/env bash
 # Layers of EXR files, as other programs read them.
 # usage: exr_test.sh PROGRAM
-set -uo pipefail
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-fail() {
-  echo "$*"
-  failures=$((failures + 1))
-}
+. "$(dirname "$0")/program_test.sh"
 layers=depth,z,normal,position,id,object,value,albedo,cost,certificate
 options=("x^2+y^2+z^2-1" --domain -2,2 --size 32x24 --method certified --colors '#ff0000' --aov $layers)
 "$program" render "${options[@]}" -o plain.exr || fail "render"
@@ -55,4 +46,4 @@ if command -v oiiotool >/dev/null; then
   pixel=$(oiiotool --stats middle.exr | grep 'Stats Avg')
   [[ $pixel == *"1.000000 0.000000 1.000000 1.000000 1.000000"* ]] || fail "the middle pixel: $pixel"
 fi
-((failures == 0)) || exit 1
+end_of_test "others read the layers"

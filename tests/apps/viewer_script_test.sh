@@ -1,22 +1,13 @@
 #!/usr/bin/env bash
 # The viewer's window under an X server in memory, driven by the server's own mouse and keyboard events.
 # usage: viewer_script_test.sh PROGRAM
-set -uo pipefail
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-fail() {
-  echo "$*"
-  failures=$((failures + 1))
-}
+. "$(dirname "$0")/program_test.sh"
 view() { timeout 120 xvfb-run -a -s "-screen 0 1600x1000x24" "$program" view "$@" >out.txt 2>err.txt; }
 # number KEY.KEY: from stats.json
 number() { python3 -c 'import json, sys, functools
 print(functools.reduce(lambda part, key: part[key], sys.argv[1].split("."), json.load(open("stats.json"))))' "$1"; }
-same() { cmp -s "$1" "$2" || fail "$3: $1 and $2 differ"; }
+# pixels PNG: its width and height
+pixels() { od -An -j16 -N8 --endian=big -tu4 "$1" | xargs; }
 
 # without a display: one sentence and exit code 2
 status=0
@@ -63,14 +54,14 @@ overlay certificate
 wait
 screenshot certificate.png
 overlay none
-click 280 280
+click 190 227
 wait
 screenshot probe.png
 save moved.png
 quit
 S
-view ball.nrrd --iso 0.5 --window 900x600 --scale 1 --script volume.txt --stats stats.json || fail "volume: $(cat err.txt)"
-size=560x574
+view ball.nrrd --iso 0.5 --window 720x480 --scale 1 --script volume.txt --stats stats.json || fail "volume: $(cat err.txt)"
+size=380x454
 "$program" render ball.nrrd --iso 0.75 --size $size -o expected.png
 same iso.png expected.png "the picture after the slider"
 cmp -s moved.png expected.png && fail "orbit, pan and zoom have moved nothing"
@@ -91,7 +82,7 @@ wait
 screenshot error.png
 quit
 S
-view "a*x^2+y^2+z^2-0.5" --param a=2 --time 0.5 --window 900x600 --scale 1 --script formula.txt --stats stats.json || fail "formula: $(cat err.txt)"
+view "a*x^2+y^2+z^2-0.5" --param a=2 --time 0.5 --window 720x480 --scale 1 --script formula.txt --stats stats.json || fail "formula: $(cat err.txt)"
 "$program" render "x^2+y^2+z^2-0.4-0.2*sin(9*x+w)" --time 0.25 --size $size -o expected.png
 same typed.png expected.png "the picture of a formula that was typed"
 cat >parameter.txt <<'S'
@@ -101,9 +92,65 @@ wait
 save parameter.png
 quit
 S
-view "a*x^2+y^2+z^2-0.5" --param a=2 --size 300x200 --window 900x600 --scale 1 --script parameter.txt || fail "parameter: $(cat err.txt)"
+view "a*x^2+y^2+z^2-0.5" --param a=2 --size 300x200 --window 720x480 --scale 1 --script parameter.txt || fail "parameter: $(cat err.txt)"
 "$program" render "a*x^2+y^2+z^2-0.5" --param a=3 --size 300x200 -o expected.png
 same parameter.png expected.png "the picture of a changed parameter"
 
-((failures == 0)) && echo "the window does what it is told"
-exit $((failures > 0))
+# a scene of several objects: each is edited, and what the command line cannot say is in the file that is copied
+cat >three.json <<'S'
+{"isocast": 1, "objects": [
+  {"name": "ball", "type": "volume", "file": "ball.nrrd", "iso": 0.5},
+  {"name": "rod", "type": "formula", "expr": "x^2+y^2-0.01"},
+  {"name": "sheet", "type": "formula", "expr": "z", "material": {"color": "#9dbf7a"}}]}
+S
+cat >scene.txt <<'S'
+wait
+screenshot before.png
+object rod
+type iso.value 0.05
+object sheet
+press objects.eye2
+object ball
+iso 0.75
+method certified
+wait
+type color.of "x+y"
+type color.range "-1,1"
+wait
+save edited.png
+press output.copy
+clipboard copied.txt
+screenshot scene.png
+quit
+S
+view three.json --window 720x480 --scale 1 --script scene.txt --stats stats.json || fail "scene: $(cat err.txt)"
+grep -qx "isocast render edited.scene.json --size $size -o edited.png" copied.txt || fail "copied: $(cat copied.txt)"
+"$program" render edited.scene.json --size $size -o expected.png || fail "the copied scene"
+same edited.png expected.png "the picture of an edited scene"
+grep -q '"visible": false' edited.scene.json || fail "the hidden object is not in the file"
+(($(number scenes) == 4)) || fail "a scene was built $(number scenes) times, expected 4: at first, hidden, coloured, in another range"
+
+# another program's file is dropped, what is copied can be pasted elsewhere, and the whole screen is filled
+cat >drop.txt <<'S'
+wait
+drop ball.nrrd
+wait
+press output.copy
+clipboard copied.txt
+save dropped.png
+key F11
+wait
+screenshot full.png
+key F11
+wait
+screenshot window.png
+quit
+S
+view x --window 720x480 --scale 1 --script drop.txt || fail "drop: $(cat err.txt)"
+"$program" render ball.nrrd --size $size -o expected.png
+same dropped.png expected.png "the picture of a dropped file"
+grep -qx "isocast render .*/ball.nrrd --size $size -o picture.png" copied.txt || fail "copied: $(cat copied.txt)"
+[[ $(pixels full.png) == "1600 1000" ]] || fail "full screen: $(pixels full.png)"
+[[ $(pixels window.png) == "720 480" ]] || fail "back in the window: $(pixels window.png)"
+
+end_of_test "the window does what it is told"

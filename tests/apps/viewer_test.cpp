@@ -95,11 +95,11 @@ TEST_CASE("a session starts as its command line says and says it again") {
   words.colors = "#ff8000";
   words.opacity = "0.25,1";
   const Session session = start_session(words);
-  REQUIRE(session.surfaces.size() == 2);
-  CHECK(hex_of(session.surfaces[1].color) == "#ff8000");
+  REQUIRE(session.object().surfaces.size() == 2);
+  CHECK(hex_of(session.object().surfaces[1].color) == "#ff8000");
   CHECK(words_of(session, 320, 200).colors == "#ff8000");
   Session changed = session;
-  changed.adopted.clear();
+  changed.object().adopted.clear();
   const RenderWords again = words_of(changed, 320, 200);
   CHECK(again.iso == "0,0.5");
   CHECK(again.colors == "#ff8000,#ff8000");
@@ -115,11 +115,11 @@ TEST_CASE("a session starts as its command line says and says it again") {
 TEST_CASE("hidden surfaces are not in the picture") {
   Session session = start_session(words_for("@tangle"));
   CHECK(words_of(session, 10, 10).iso.empty());
-  adopt_surfaces(session, {0, 1}, {{}, {}});
-  add_surface(session, 0.1);
-  session.surfaces[1].visible = false;
+  adopt_surfaces(session.object(), {0, 1}, {{}, {}});
+  add_surface(session.object(), 0.1);
+  session.object().surfaces[1].visible = false;
   CHECK(words_of(session, 10, 10).iso == "0,0.1");
-  for (IsoSurface& surface : session.surfaces) surface.visible = false;
+  for (IsoSurface& surface : session.object().surfaces) surface.visible = false;
   const RenderWords nothing = words_of(session, 10, 10);
   CHECK(nothing.iso == "0");
   CHECK(nothing.opacity == "0");

@@ -163,6 +163,46 @@ TEST_CASE("a ray that follows an operand's surface comes to an end, undecided") 
     }
 }
 
+TEST_CASE("next_hit goes on from the crossing before, also when other rays come between") {
+  const CsgSurface comb(join(CsgOperation::subtract, {formula(kBig), formula("sin(40*x)")}), kObject);
+  const auto rays = one_ray({-3, 0.1, 0.2}, {1, 0, 0}), others = one_ray({0.3, -3, 0.1}, {0, 1, 0});
+  const std::vector<Crossing> crossings = along(comb, {-3, 0.1, 0.2}, {1, 0, 0});
+  REQUIRE(crossings.size() > 20);
+
+  const auto hits = std::make_unique<HitStream>();
+  clear(*hits);
+  TraceCounts first;
+  comb.first_hit(*rays, *hits, first);
+  std::int64_t most = 0;
+  for (std::size_t n = 1; n < crossings.size(); ++n) {
+    const bool disturbed = n % 5 == 0;
+    if (disturbed) {
+      const auto other = std::make_unique<HitStream>();
+      clear(*other);
+      TraceCounts ignored;
+      comb.first_hit(*others, *other, ignored);
+      comb.next_hit(*others, *other, ignored);
+    }
+    TraceCounts counts;
+    comb.next_hit(*rays, *hits, counts);
+    REQUIRE(is_hit(*hits, 0));
+    CHECK(hits->t[0] == crossings[n].t);
+    if (!disturbed && n > 1) most = std::max(most, counts.evaluations);
+  }
+  CHECK(most > 0);
+  CHECK(most < first.evaluations);
+
+  // the same question twice has the same answer
+  clear(*hits);
+  comb.first_hit(*rays, *hits, first);
+  const auto again = std::make_unique<HitStream>(*hits);
+  comb.next_hit(*rays, *hits, first);
+  comb.next_hit(*rays, *hits, first);
+  comb.next_hit(*rays, *again, first);
+  CHECK(hits->t[0] == crossings[2].t);
+  CHECK(again->t[0] == crossings[1].t);
+}
+
 TEST_CASE("bounds are those of what can be there") {
   const CsgPart cube = closed(formula("x - 5").operand, {{-0.5, -1, -2}, {0.25, 1, 2}}, Transform(), kObject),
                 other = closed(formula("x - 5").operand, {{0, -2, -1}, {1, 2, 1}}, Transform(), kObject),

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "../implicit/expression/evaluate_text.h"
+
 using namespace isocast;
 using test::says;
 
@@ -58,6 +60,30 @@ TEST_CASE("what keys name is interpolated between those that name it") {
   CHECK(scene.time == 0);
 }
 
+TEST_CASE("operands are animated like objects") {
+  const SceneDescription scene = scene_from_text(R"({"isocast": 1, "objects": [
+      {"name": "all", "type": "csg", "op": "union", "of": [
+        {"type": "csg", "op": "difference", "of": [
+          {"name": "deep", "type": "formula", "expr": "x*r+w", "params": {"r": 1}},
+          {"name": "fixed", "type": "formula", "expr": "w+r", "params": {"r": 2}, "time": 5}]},
+        {"name": "ct", "type": "volume", "file": "ct_%d.nrrd", "iso": 4}]}],
+    "animation": {"frames": [0, 4], "keys": [
+      {"frame": 0, "time": 1, "params": {"deep.r": 10}, "iso": {"ct": 10, "deep": [1, 2]}},
+      {"frame": 4, "time": 3, "params": {"deep.r": 30}, "iso": {"ct": 30, "deep": [3, 6]}}]}})",
+                                                 "s.json", "/data");
+  const SceneDescription at = description_at(scene, 2);
+  const auto& parts = std::get<CsgSource>(at.objects[0].source).of;
+  const auto& nested = std::get<CsgSource>(parts[0].source).of;
+  const auto& deep = std::get<FormulaSource>(nested[0].source);
+  CHECK(deep.time == 2);
+  CHECK(nested[0].iso == std::vector<double>{2, 4});
+  // the formula itself has the new parameter
+  CHECK(test::run(make_tape(deep.expression), {1, 0, 0, 2}) == 22);
+  CHECK(std::get<FormulaSource>(nested[1].source).time == 5);
+  CHECK(parts[1].iso == std::vector<double>{20});
+  CHECK(std::get<VolumeSource>(parts[1].source).file == "/data/ct_2.nrrd");
+}
+
 TEST_CASE("file sequences take the frame's number") {
   const SceneDescription scene = animated("");
   CHECK(std::get<VolumeSource>(description_at(scene, 7).objects[2].source).file == "/data/ct_0007.nrrd");
@@ -77,4 +103,12 @@ TEST_CASE("what cannot be animated is told") {
       description_at(animated(R"({"frame": 0, "iso": {"ball": 1}}, {"frame": 2, "iso": {"ball": [1, 2]}})"),
                      1),
       InputError, says("found 1 and 2 iso-values"));
+  const auto with_operands = [](const std::string& names) {
+    return scene_from_text(R"({"isocast": 1, "objects": [{"name": "a", "type": "csg", "op": "union", "of": [
+      {"name": ")" + names + R"(", "type": "mesh", "file": "a.ply"}, {"type": "mesh", "file": "b.ply"}]}],
+      "animation": {"frames": [0, 1], "keys": [{"frame": 0, "iso": {"a": 1}}]}})",
+                           "s.json", "/data");
+  };
+  CHECK_THROWS_MATCHES(with_operands("a"), InputError, says("two objects have the name 'a'"));
+  CHECK_THROWS_MATCHES(description_at(with_operands("b"), 0), InputError, says("iso-values of 'a'"));
 }

@@ -16,7 +16,8 @@ namespace {
 
 Color color_at(const ColorBy& description, const Double3& point) {
   Color color;
-  make_color_field(description)->find_colors({&point, 1}, {&color, 1});
+  VolumeLibrary library;
+  make_color_field(description, library)->find_colors({&point, 1}, {&color, 1});
   return color;
 }
 ColorBy by(const std::string& formula) { return {.field = FormulaSource{parse_expression(formula), {}}}; }

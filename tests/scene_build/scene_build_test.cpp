@@ -47,6 +47,38 @@ TEST_CASE("objects of every kind stand where their transform puts them") {
   }
 }
 
+TEST_CASE("what is hidden is not there, but its instances are") {
+  const std::string file = R"({"type": "mesh", "file": "is-not-there.ply", "visible": false}, )";
+  const BuiltScene hidden =
+      built(file + ball(R"(, "name": "b", "visible": false)") +
+            R"(, {"type": "instance", "of": "b", "transforms": [{"translate": [9, 0, 0]}]})");
+  CHECK(hidden.objects.size() == 3);
+  CHECK(hidden.scene.objects.size() == 3);
+  CHECK(first_hit(hidden.scene, {0, 0, 3}, {0, 0, -1}).t == Box::inf);
+  CHECK(first_hit(hidden.scene, {9, 0, 3}, {0, 0, -1}).t == Approx(2));
+  CHECK(hidden.scene.bounds().lo[0] == 7.5);
+  // a scene of nothing is a picture of the background
+  const BuiltScene nothing = built(ball(R"(, "visible": false)"));
+  Film film(8, 8, {});
+  render(nothing.scene, test::looking(nothing.scene, {0, 0, 3}, {0, 0, 0}, 8), {}, film);
+  const float* const middle = film.color(36);
+  CHECK(std::vector(middle, middle + 4) == std::vector<float>{1, 1, 1, 0});
+}
+
+TEST_CASE("the method of a formula does not depend on the iso-values before") {
+  const std::string rod = R"({"type": "formula", "expr": "x^2+y^2-0.01", "iso": )";
+  BuiltScene moved = built(rod + "0}");
+  const BuiltScene direct = built(rod + "[0.05, 0.1]}");
+  const std::string before = moved.objects[0].method;
+  moved.set_iso(0, {0.05, 0.1}, {});
+  CHECK(moved.objects[0].method == direct.objects[0].method);
+  CHECK(moved.objects[0].method != before);
+  CHECK(first_hit(moved.scene, {0, -3, 0.1}, {0, 1, 0}).t ==
+        first_hit(direct.scene, {0, -3, 0.1}, {0, 1, 0}).t);
+  moved.set_iso(0, {0}, {});
+  CHECK(moved.objects[0].method == before);
+}
+
 TEST_CASE("a mirrored mesh still knows its outside") {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "oct.obj") << kOctahedron;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <isocast/apps/viewer/script/script_run.h>
 #include <isocast/base/error.h>
+#include <isocast/base/output_file.h>
 #include <isocast/render/image_file.h>
 #include <isocast/scene/srgb.h>
 
@@ -68,6 +69,16 @@ void ScriptRun::run(const ScriptCommand& command) {
     }
   } else if (name == "method") choose("method.name", words[0]);
   else if (name == "overlay") choose("sure.overlay", words[0]);
+  else if (name == "object") click(reveal("objects." + words[0]));
+  else if (name == "press") click(reveal(words[0]));
+  else if (name == "type") enter(words[0], words[1]);
+  else if (name == "key") press_key(words[0].c_str());
+  else if (name == "drop") {
+    const Landmark place = reveal("canvas.picture");
+    neighbour_.drop(words[0], int(place.x0) + 9, int(place.y0) + 9, [this] { settle(); });
+    settle();
+  } else if (name == "clipboard")
+    write_text_file(words[0], neighbour_.clipboard([this] { settle(); }) + "\n");
   else if (name == "formula")
     enter(app_.landmarks.find("input.path") ? "input.path" : "formula.text", words[0]);
   else if (name == "time") enter("time.value", words[0]);
@@ -134,10 +145,7 @@ void ScriptRun::enter(const std::string& field, const std::string& text) {
   chord("Control_L", 'a');
   for (const char c : text) pointer_.type(c);
   settle();
-  pointer_.key("Return", true);
-  settle();
-  pointer_.key("Return", false);
-  settle();
+  press_key("Return");
 }
 
 void ScriptRun::click(const Landmark& place) {
@@ -153,10 +161,16 @@ void ScriptRun::click(double x, double y) {
   settle();
 }
 
+void ScriptRun::press_key(const char* name) {
+  pointer_.key(name, true);
+  settle();
+  pointer_.key(name, false);
+  settle();
+}
+
 void ScriptRun::chord(const char* modifier, char c) {
   const char name[] = {c, 0};
   pointer_.key(modifier, true);
-  settle();
   pointer_.key(name, true);
   settle();
   pointer_.key(name, false);

@@ -2,6 +2,7 @@
 // mouse there, and waits.
 #pragma once
 
+#include <isocast/apps/viewer/script/neighbour.h>
 #include <isocast/apps/viewer/script/pointer.h>
 #include <isocast/apps/viewer/script/script.h>
 #include <isocast/apps/viewer/window/app.h>
@@ -29,6 +30,7 @@ class ScriptRun {
   void enter(const std::string& field, const std::string& text);
   void click(const Landmark& place);
   void click(double x, double y);
+  void press_key(const char* name);
   void chord(const char* modifier, char c);
   /// Where it is, after its section was opened and scrolled into sight.
   Landmark reveal(const std::string& name);
@@ -40,6 +42,7 @@ class ScriptRun {
   App& app_;
   std::vector<ScriptCommand> commands_;
   Pointer pointer_;
+  Neighbour neighbour_;
   std::atomic<bool> ended_ = false;
   std::atomic<std::shared_ptr<const std::string>> screenshot_;
   std::atomic<bool> failed_ = false;

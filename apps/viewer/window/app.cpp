@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
+#include <isocast/apps/viewer/command_line.h>
 #include <isocast/apps/viewer/window/app.h>
 #include <isocast/apps/viewer/window/panels.h>
 #include <isocast/base/error.h>
@@ -44,9 +45,26 @@ std::optional<Camera> App::camera() const {
 
 RenderWords App::picture_words() const {
   const auto [width, height] = picture_size();
-  RenderWords words = words_of(session, width, height);
-  for (std::string& plane : clip_formulas(planes, news->bounds)) words.clips.push_back(std::move(plane));
-  return words;
+  return words_of(session, width, height, clip_formulas(planes, news->bounds));
+}
+
+const ObjectNews& App::object_news() const {
+  static const ObjectNews nothing;
+  return session.current < news->objects.size() ? news->objects[session.current] : nothing;
+}
+
+std::shared_ptr<const VolumeStatistics> App::statistics() const {
+  const auto of_volumes = loop.idle().statistics.load();
+  const bool mine = of_volumes && loop.idle().scene == news->scene && session.current < of_volumes->size();
+  return mine ? (*of_volumes)[session.current] : nullptr;
+}
+
+void App::copy_command() {
+  try {
+    const RenderWords words = write_scene(session, picture_words(), output);
+    ImGui::SetClipboardText(command_line(words, output).c_str());
+    message = words.input == picture_words().input ? "copied" : "copied, with " + words.input;
+  } catch (const InputError& problem) { message = problem.what(); }
 }
 
 void App::open(const std::string& input) {
@@ -58,7 +76,12 @@ void App::open(const std::string& input) {
   words.method = "auto";
   words.camera.clear();
   words.set.clear();
-  session = start_session(words);
+  try {
+    session = start_session(words);
+  } catch (const InputError& problem) {
+    message = problem.what();
+    return;
+  }
   planes.clear();
   probe_open = false;
 }
@@ -87,10 +110,11 @@ void App::take_results() {
   loop.nudge();
   if (const auto now = loop.news(); now && now != news) {
     news = now;
-    if (news->scene != adopted_scene && news->error.empty()) {
-      adopted_scene = news->scene;
-      if (session.surfaces.empty() && news->objects == 1) adopt_surfaces(session, news->iso, news->materials);
-    }
+    if (news->scene != adopted_scene && news->error.empty()) { adopted_scene = news->scene; }
+    if (news->error.empty() && news->objects.size() == session.objects.size())
+      for (std::size_t k = 0; k < session.objects.size(); ++k)
+        if (session.objects[k].surfaces.empty())
+          adopt_surfaces(session.objects[k], news->objects[k].iso, news->objects[k].materials);
   }
   if (auto now = new_probe.exchange(nullptr)) probed = now;
   if (auto now = new_message.exchange(nullptr)) message = *now;

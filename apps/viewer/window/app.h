@@ -37,8 +37,13 @@ struct App {
   [[nodiscard]] std::array<int, 2> picture_size() const;
   /// The camera in use; none before there is a scene.
   [[nodiscard]] std::optional<Camera> camera() const;
-  /// The command line that makes the picture.
+  /// The words that make the picture.
   [[nodiscard]] RenderWords picture_words() const;
+  /// What is known of the object that the panels show, and the statistics of its volume or null.
+  [[nodiscard]] const ObjectNews& object_news() const;
+  [[nodiscard]] std::shared_ptr<const VolumeStatistics> statistics() const;
+  /// Copies the command line that makes the picture; writes the scene file that it needs.
+  void copy_command();
   /// Another input, without what belonged to the one before.
   void open(const std::string& input);
   void save(const std::string& path);
@@ -68,7 +73,7 @@ struct App {
   std::string message;
 
   // what the panels remember
-  TypedText formula, domain, path;
+  TypedText formula, domain, path, color_of, color_map, color_range;
   std::string output = "picture.png";
   std::map<std::string, std::string> fields;  // numbers as they are typed, by landmark
   std::string editing;                        // the one that has the keyboard

@@ -40,9 +40,9 @@ void draw_picture(App& app, const Place& place) {
                   {share, 0}, {1, 1});
     list.AddLine({at, place.y}, {at, place.y + place.height}, IM_COL32(255, 200, 60, 255), 2);
     const float size = ImGui::GetFontSize();
-    const ImVec2 extent = ImGui::CalcTextSize(app.news->method.c_str());
+    const ImVec2 extent = ImGui::CalcTextSize(app.object_news().method.c_str());
     list.AddText({at - extent.x - 0.5f * size, place.y + 0.4f * size}, IM_COL32(200, 110, 0, 255),
-                 app.news->method.c_str());
+                 app.object_news().method.c_str());
     list.AddText({at + 0.5f * size, place.y + 0.4f * size}, IM_COL32(200, 110, 0, 255),
                  app.other_method.c_str());
   }

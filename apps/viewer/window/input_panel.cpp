@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/scene_build/formula_input.h>
 #include <isocast/apps/scene_build/scene_file.h>
@@ -14,19 +13,6 @@
 
 namespace isocast::viewer {
 namespace {
-
-// A text field that follows `source` until somebody types; `now`: take every letter over.
-bool text_field(App& app, const char* name, TypedText& typed, const std::string& source, const char* hint,
-                bool now) {
-  if (typed.agreed != source) typed.text = typed.agreed = source;
-  ImGui::SetNextItemWidth(rest_of_width(0));
-  const bool entered = ImGui::InputTextWithHint(fmt::format("##{}", name).c_str(), hint, &typed.text,
-                                                now ? 0 : ImGuiInputTextFlags_EnterReturnsTrue);
-  app.landmarks.mark(name);
-  if (!entered || typed.text == typed.agreed) return false;
-  typed.agreed = typed.text;
-  return true;
-}
 
 // The error of the newest wish. Of a formula, whose text begins at `corner`: with a mark at the column that
 // it names.
@@ -93,11 +79,12 @@ void time_row(App& app) {
 
 void input_panel(App& app) {
   RenderWords& words = app.session.words;
-  if (app.news->is_volume || is_scene_file(words.input) || has_volume_extension(words.input)) {
+  const bool is_volume = app.session.object().type == "volume";
+  if (is_volume || is_scene_file(words.input) || has_volume_extension(words.input)) {
     if (text_field(app, "input.path", app.path, words.input, "a file, a formula or @id", false))
       app.open(app.path.text);
-    if (app.news->objects > 1) wrapped(fmt::format("{} objects", app.news->objects));
-    if (app.news->is_volume)
+    if (app.session.objects.size() > 1) wrapped(fmt::format("{} objects", app.session.objects.size()));
+    else if (app.object_news().is_volume)
       wrapped(fmt::format("{} samples, {:.1f} MB", app.news->type,
                           1e-6 * static_cast<double>(app.news->volume_bytes)));
     return draw_error(app, nullptr);

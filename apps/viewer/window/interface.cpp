@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <isocast/apps/viewer/camera_motion.h>
-#include <isocast/apps/viewer/command_line.h>
 #include <isocast/apps/viewer/window/panels.h>
 
 #include <algorithm>
@@ -33,9 +32,11 @@ void section(App& app, const char* name, const char* title, bool open, void (*dr
 
 void draw_panel(App& app) {
   section(app, "input", "Input", true, input_panel);
-  section(app, "iso", "Iso-values", true, iso_panel);
+  if (app.session.objects.size() > 1) section(app, "objects", "Objects", true, objects_panel);
+  section(app, "iso", app.session.object().has_iso() ? "Iso-values" : "Look", true, iso_panel);
   section(app, "method", "Method", true, method_panel);
   section(app, "camera", "Camera", true, camera_panel);
+  section(app, "color", "Colour by another field", false, color_panel);
   section(app, "look", "Light and edges", false, look_panel);
   section(app, "clip", "Clip planes", false, clip_panel);
   section(app, "sure", "How sure it is", true, sureness_panel);
@@ -53,8 +54,7 @@ void handle_keys(App& app) {
   if (pressed(GLFW_KEY_F11)) app.window.toggle_full_screen();
   if (io.WantTextInput) return;
   if (io.KeyCtrl && pressed(GLFW_KEY_S)) app.save(app.output);
-  if (io.KeyCtrl && pressed(GLFW_KEY_C))
-    ImGui::SetClipboardText(command_line(app.picture_words(), app.output).c_str());
+  if (io.KeyCtrl && pressed(GLFW_KEY_C)) app.copy_command();
   if (io.KeyCtrl) return;
   if (pressed(GLFW_KEY_SPACE)) app.playing = !app.playing;
   if (pressed(GLFW_KEY_F) || pressed(GLFW_KEY_HOME))

@@ -8,15 +8,18 @@ namespace {
 
 // A surface's eye, value, colour and opacity; false: it was removed.
 bool surface_row(App& app, std::size_t i) {
-  IsoSurface& surface = app.session.surfaces[i];
+  SessionObject& object = app.session.object();
+  IsoSurface& surface = object.surfaces[i];
   const float em = ImGui::GetFontSize();
   const std::string suffix = i == 0 ? "" : fmt::format("{}", i);
   ImGui::PushID(static_cast<int>(i));
   check_box(app, ("iso.eye" + suffix).c_str(), "", surface.visible);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("seen or not");
   ImGui::SameLine();
-  number_field(app, ("iso.value" + suffix).c_str(), surface.value, rest_of_width(9.4f));
-  ImGui::SameLine();
+  if (object.has_iso()) {
+    number_field(app, ("iso.value" + suffix).c_str(), surface.value, rest_of_width(9.4f));
+    ImGui::SameLine();
+  }
   const std::string hex = hex_of(surface.color);
   float color[3];
   for (int c = 0; c < 3; ++c)
@@ -32,8 +35,11 @@ bool surface_row(App& app, std::size_t i) {
   if (ImGui::SliderFloat("##opacity", &opacity, 0, 1, "%.2f")) surface.opacity = opacity;
   app.landmarks.mark("iso.opacity" + suffix);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("opacity");
-  ImGui::SameLine();
-  const bool keep = !button(app, ("iso.remove" + suffix).c_str(), "x") || app.session.surfaces.size() == 1;
+  bool keep = true;
+  if (object.has_iso()) {
+    ImGui::SameLine();
+    keep = !button(app, ("iso.remove" + suffix).c_str(), "x") || object.surfaces.size() == 1;
+  }
   ImGui::PopID();
   return keep;
 }
@@ -44,7 +50,7 @@ void suggestions(App& app, const VolumeStatistics& statistics) {
   for (const IsoChoice& one : choices) names.push_back(fmt::format("{}: {:.6g}", one.name, one.value));
   std::string chosen = "Suggestions";
   ImGui::SetNextItemWidth(rest_of_width(0));
-  double& value = app.session.surfaces.front().value;
+  double& value = app.session.object().surfaces.front().value;
   if (choice(app, "iso.suggestions", names, chosen))
     for (std::size_t i = 0; i < names.size(); ++i)
       if (names[i] == chosen) value = choices[i].value;
@@ -60,19 +66,19 @@ void suggestions(App& app, const VolumeStatistics& statistics) {
 }  // namespace
 
 void iso_panel(App& app) {
-  if (app.news->objects > 1) return wrapped("The scene's file has the iso-values of its objects.");
-  if (app.session.surfaces.empty()) return wrapped("not known yet");
-  iso_slider(app);
-  for (std::size_t i = 0; i < app.session.surfaces.size(); ++i)
+  SessionObject& object = app.session.object();
+  if (object.surfaces.empty()) return wrapped(object.visible ? "not known yet" : "hidden");
+  if (object.has_iso()) iso_slider(app);
+  for (std::size_t i = 0; i < object.surfaces.size(); ++i)
     if (!surface_row(app, i)) {
-      app.session.surfaces.erase(app.session.surfaces.begin() + static_cast<std::ptrdiff_t>(i));
+      object.surfaces.erase(object.surfaces.begin() + static_cast<std::ptrdiff_t>(i));
       break;
     }
+  if (!object.has_iso()) return;
   constexpr std::size_t kMost = 8;
-  if (app.session.surfaces.size() < kMost && button(app, "iso.add", "Add an iso-value"))
-    add_surface(app.session, app.session.surfaces.back().value);
-  const auto statistics = app.loop.idle().statistics.load();
-  if (statistics && app.loop.idle().scene == app.news->scene) suggestions(app, *statistics);
+  if (object.surfaces.size() < kMost && button(app, "iso.add", "Add an iso-value"))
+    add_surface(object, object.surfaces.back().value);
+  if (const auto statistics = app.statistics()) suggestions(app, *statistics);
 }
 
 }  // namespace isocast::viewer

@@ -38,12 +38,11 @@ void draw_bars(const Histogram& histogram, ImVec2 lo, ImVec2 hi) {
 }  // namespace
 
 bool iso_slider(App& app) {
-  const auto statistics = app.loop.idle().statistics.load();
-  const bool mine = statistics && app.loop.idle().scene == app.news->scene;
+  const auto statistics = app.statistics();
   if (!ImGui::IsMouseDown(0))  // of a formula; it stays while something is dragged
-    for (const IsoSurface& surface : app.session.surfaces)
+    for (const IsoSurface& surface : app.session.object().surfaces)
       app.iso_reach = std::max(app.iso_reach, 2 * std::abs(surface.value));
-  const auto [lo, hi] = range_of(app, mine ? statistics.get() : nullptr);
+  const auto [lo, hi] = range_of(app, statistics.get());
   const float height = 6 * ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
   const ImVec2 corner = ImGui::GetCursorScreenPos(), end = {corner.x + width, corner.y + height};
   ImGui::InvisibleButton("slider", {width, height});
@@ -51,9 +50,9 @@ bool iso_slider(App& app) {
   app.landmarks.mark("iso.range", {lo, 0, hi, 0});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, end, IM_COL32(24, 25, 28, 255), 3);
-  if (mine) draw_bars(statistics->histogram, corner, end);
+  if (statistics) draw_bars(statistics->histogram, corner, end);
 
-  std::vector<IsoSurface>& surfaces = app.session.surfaces;
+  std::vector<IsoSurface>& surfaces = app.session.object().surfaces;
   const auto place_of = [&](double value) {
     return corner.x + static_cast<float>((value - lo) / (hi - lo)) * width;
   };

@@ -67,11 +67,12 @@ void look_panel(App& app) {
   ImGui::SetNextItemWidth(rest_of_width(6));
   ImGui::SliderInt("occlusion", &words.ambient_occlusion, 0, 64);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("rays for the light of the sky at each hit");
-  auto mirrored =
-      app.session.surfaces.empty() ? 0.0f : static_cast<float>(app.session.surfaces.front().reflectivity);
+  auto mirrored = app.session.object().surfaces.empty()
+                      ? 0.0f
+                      : static_cast<float>(app.session.object().surfaces.front().reflectivity);
   ImGui::SetNextItemWidth(rest_of_width(6));
   if (ImGui::SliderFloat("mirrored", &mirrored, 0, 1, "%.2f"))
-    for (IsoSurface& surface : app.session.surfaces) surface.reflectivity = mirrored;
+    for (IsoSurface& surface : app.session.object().surfaces) surface.reflectivity = mirrored;
   app.landmarks.mark("look.mirrored");
   ImGui::SetNextItemWidth(rest_of_width(6));
   count_slider("reflections", words.reflections, 1, 0, 16);
@@ -95,8 +96,8 @@ void look_panel(App& app) {
   }
   ImGui::SetNextItemWidth(rest_of_width(6));
   choice(app, "look.normals",
-         app.news->is_volume ? std::vector<std::string>{"gradient", "difference"}
-                             : std::vector<std::string>{"gradient", "difference", "neighbour"},
+         app.object_news().is_volume ? std::vector<std::string>{"gradient", "difference"}
+                                     : std::vector<std::string>{"gradient", "difference", "neighbour"},
          words.normals);
   ImGui::SameLine();
   ImGui::TextUnformatted("normals");

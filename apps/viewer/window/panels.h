@@ -10,11 +10,13 @@ void draw_interface(App& app);
 
 void draw_canvas(App& app);
 void input_panel(App& app);
+void objects_panel(App& app);
 void iso_panel(App& app);
 void method_panel(App& app);
 void camera_panel(App& app);
 void look_panel(App& app);
 void clip_panel(App& app);
+void color_panel(App& app);
 void sureness_panel(App& app);
 void output_panel(App& app);
 void draw_probe(App& app);
@@ -28,6 +30,10 @@ void draw_points(App& app);
 /// f along the ray of the probe.
 void draw_profile(App& app, const PixelProbe& probe);
 
+/// A text field that follows `source` until somebody types; `now`: takes every letter over. Returns whether
+/// another text was taken over.
+bool text_field(App& app, const char* name, TypedText& typed, const std::string& source, const char* hint,
+                bool now = false);
 /// A number that is typed and taken over with Enter or by leaving the field; returns whether it was.
 bool number_field(App& app, const char* name, double& value, float width);
 /// A choice of one of the names; returns whether another one was chosen.

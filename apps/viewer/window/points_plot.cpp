@@ -47,7 +47,7 @@ void draw_points(App& app) {
     const float x = corner.x + margin + times.share(point.ms_per_megaray) * (width - 2 * margin),
                 y = end.y - margin -
                     errors.share(std::isnan(point.error) ? 0 : point.error) * (height - 2 * margin);
-    const bool used = point.method == app.news->method, wrong = point.wrong > 0;
+    const bool used = point.method == app.object_news().method, wrong = point.wrong > 0;
     list.AddCircleFilled({x, y}, used ? 0.4f * em : 0.28f * em,
                          wrong  ? IM_COL32(230, 90, 70, 255)
                          : used ? IM_COL32(255, 200, 60, 255)

@@ -24,7 +24,7 @@ std::string stats_json(const App& app, int threads) {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
   const auto pictures = [&](Stage stage) { return counts.pictures[static_cast<std::size_t>(stage)].load(); };
-  json stats = {{"method", app.news->method},
+  json stats = {{"method", app.object_news().method},
                 {"isa", app.news->isa},
                 {"threads", threads},
                 {"opengl", app.window.renderer()}};

@@ -34,7 +34,7 @@ void draw_status(App& app) {
   std::string text =
       fmt::format("{} {} x {}  |  {:.1f} ms  |  {:.1f} Mrays/s  |  {}  |  {}  |  {:.0f} MB",
                   name_of(picture.stage), picture.width, picture.height, picture.ms,
-                  rays / (1e3 * picture.ms), app.news->method, app.news->isa, peak_memory_mb());
+                  rays / (1e3 * picture.ms), app.object_news().method, app.news->isa, peak_memory_mb());
   const std::string left_out = fmt::format("left out: {}", fmt::join(app.news->left_out, ", "));
   const float room = ImGui::GetContentRegionAvail().x;
   const std::string both = text + "  |  " + left_out;

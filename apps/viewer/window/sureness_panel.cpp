@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
-#include <isocast/apps/viewer/command_line.h>
 #include <isocast/apps/viewer/window/panels.h>
 
 #include <algorithm>
@@ -35,11 +34,11 @@ void sureness_panel(App& app) {
     app.overlay = static_cast<Overlay>(std::ranges::find(kOverlays, chosen) - kOverlays.begin());
   ImGui::SameLine();
   ImGui::TextUnformatted("overlay");
-  if (app.overlay == Overlay::difference && !app.news->methods.empty()) {
-    if (std::ranges::find(app.news->methods, app.other_method) == app.news->methods.end())
-      app.other_method = app.news->methods.front();
+  const std::vector<std::string>& methods = app.object_news().methods;
+  if (app.overlay == Overlay::difference && !methods.empty()) {
+    if (std::ranges::find(methods, app.other_method) == methods.end()) app.other_method = methods.front();
     ImGui::SetNextItemWidth(rest_of_width(4.5f));
-    choice(app, "sure.other", app.news->methods, app.other_method);
+    choice(app, "sure.other", methods, app.other_method);
     ImGui::SameLine();
     ImGui::TextUnformatted("other");
   }
@@ -55,10 +54,7 @@ void output_panel(App& app) {
   app.landmarks.mark("output.file");
   ImGui::SameLine();
   if (button(app, "output.save", "Save")) app.save(app.output);
-  if (button(app, "output.copy", "Copy the command line")) {
-    ImGui::SetClipboardText(command_line(app.picture_words(), app.output).c_str());
-    app.message = "copied";
-  }
+  if (button(app, "output.copy", "Copy the command line")) app.copy_command();
   if (!app.message.empty()) wrapped(app.message);
 }
 

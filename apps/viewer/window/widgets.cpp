@@ -39,6 +39,18 @@ bool number_field(App& app, const char* name, double& value, float width) {
   return true;
 }
 
+bool text_field(App& app, const char* name, TypedText& typed, const std::string& source, const char* hint,
+                bool now) {
+  if (typed.agreed != source) typed.text = typed.agreed = source;
+  ImGui::SetNextItemWidth(rest_of_width(0));
+  const bool entered = ImGui::InputTextWithHint(fmt::format("##{}", name).c_str(), hint, &typed.text,
+                                                now ? 0 : ImGuiInputTextFlags_EnterReturnsTrue);
+  app.landmarks.mark(name);
+  if (!entered || typed.text == typed.agreed) return false;
+  typed.agreed = typed.text;
+  return true;
+}
+
 bool choice(App& app, const char* name, const std::vector<std::string>& names, std::string& chosen) {
   bool changed = false;
   const bool open =
