@@ -1,6 +1,7 @@
 # The module: found are nvcc (12.2 or newer, of the toolkit that also has cuda.h and nvrtc.h) and bin2c.
 option(ISOCAST_CUDA "Build the kernels for GPUs" ON)
-set(ISOCAST_CUDA_ARCHITECTURES 75 80 90 CACHE STRING "Compute capabilities to build machine code for; PTX of the first is added")
+set(ISOCAST_CUDA_ARCHITECTURES 75 90 CACHE STRING
+  "Compute capabilities with machine code in the program; PTX of the first is added, which drivers translate for others")
 find_program(NVCC nvcc PATHS /usr/local/cuda/bin)
 set(isocast_cuda_module OFF)
 if(NOT ISOCAST_CUDA)
