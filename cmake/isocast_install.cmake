@@ -4,6 +4,7 @@ include(CMakePackageConfigHelpers)
 
 install(DIRECTORY src/ volume implicit data_gen DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/isocast
   FILES_MATCHING PATTERN "*.h")
+install(FILES cuda/cuda_module.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/isocast/cuda)
 install(DIRECTORY apps/scene_build DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/isocast/apps FILES_MATCHING PATTERN "*.h")
 
 # The libraries, each before those that it uses: isocast::isocast, isocast::data_gen ... isocast::src.

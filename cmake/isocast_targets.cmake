@@ -6,7 +6,7 @@ file(MAKE_DIRECTORY ${isocast_include_dir}/isocast)
 foreach(folder base isa math ray scene render)
   file(CREATE_LINK ${CMAKE_SOURCE_DIR}/src/${folder} ${isocast_include_dir}/isocast/${folder} SYMBOLIC)
 endforeach()
-foreach(folder volume implicit data_gen apps)
+foreach(folder volume implicit cuda data_gen apps)
   file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${folder} ${isocast_include_dir}/isocast/${folder} SYMBOLIC)
 endforeach()
 

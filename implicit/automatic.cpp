@@ -61,6 +61,7 @@ double picture_work(const Surface& surface, double tape_cost) {
 
 AutomaticMethod choose_automatically(const Expression& expression, const Domain& domain,
                                      ImplicitSurfaceOptions options) {
+  options.device = nullptr;  // the same choice everywhere
   const auto rays = std::make_unique<RayStream>();
   const auto hits = std::make_unique<HitStream>();
   fill_probe(domain, *rays);

@@ -31,17 +31,44 @@ Double3 ImplicitSurface::difference_normal(const Double3& p, double distance) co
   return normalized(normal);
 }
 
+namespace {
+
+// Turned against the ray.
+void put_normal(const RayStream& rays, int i, const Double3& normal, DressedHits& dressed) {
+  const double turn = dot(normal, {rays.dx[i], rays.dy[i], rays.dz[i]}) > 0 ? -1 : 1;
+  for (int a = 0; a < 3; ++a) dressed.normal[a][i] = turn * normal[a];
+}
+
+}  // namespace
+
+// Normals that need no evaluation of f: made[i] where there is one. False where all hits have one.
+bool ImplicitSurface::put_cheap_normals(const RayStream& rays, const HitStream& hits, DressedHits& dressed,
+                                        bool (&made)[kStreamSize]) const {
+  if (options_.normals == NormalKind::neighbour && rays.kind == RayKind::primary &&
+      normal_kernels(options_.isa).find_neighbour_normals(rays, hits, options_.object, dressed, made) == 0)
+    return false;
+  if (!has_form_normals()) return true;
+  for (int i = 0; i < rays.size; ++i) {
+    if (made[i] || hits.object[i] != options_.object || !is_hit(hits, i)) continue;
+    const auto normal = form_normal(hits, i);
+    made[i] = normal.has_value();
+    if (normal) put_normal(rays, i, *normal, dressed);
+  }
+  return true;
+}
+
 void ImplicitSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,
                             DressedHits& dressed) const {
   const DefaultFloatEnvironment environment;
-  GradientStream points = {};
-  int slots[kStreamSize];
   bool made[kStreamSize] = {};
-  if (options_.normals == NormalKind::neighbour && wishes.normal && rays.kind == RayKind::primary)
-    find_neighbour_normals(rays, hits, options_.object, dressed, made);
+  const bool all = wishes.value || wishes.position;
+  if (wishes.normal && !put_cheap_normals(rays, hits, dressed, made) && !all) return;
+
+  GradientStream points;
+  points.size = 0;
+  int slots[kStreamSize];
   for (int i = 0; i < rays.size; ++i) {
-    if (hits.object[i] != options_.object || !is_hit(hits, i)) continue;
-    if (made[i] && !wishes.value && !wishes.position) continue;
+    if ((made[i] && !all) || hits.object[i] != options_.object || !is_hit(hits, i)) continue;
     const double o[3] = {rays.ox[i], rays.oy[i], rays.oz[i]}, d[3] = {rays.dx[i], rays.dy[i], rays.dz[i]};
     slots[points.size] = i;
     for (int a = 0; a < 3; ++a) points.position[a][points.size] = o[a] + hits.t[i] * d[a];
@@ -50,8 +77,11 @@ void ImplicitSurface::dress(const RayStream& rays, const HitStream& hits, const 
   if (wishes.position)
     for (int n = 0; n < points.size; ++n)
       for (int a = 0; a < 3; ++a) dressed.position[a][slots[n]] = points.position[a][n];
-  if (!wishes.normal && !wishes.value) return;
+  if (points.size == 0 || (!wishes.normal && !wishes.value)) return;
 
+  // what fills up the last of the kernels' packs
+  for (int n = points.size; n % kPacketSize != 0; ++n)
+    for (auto& axis : points.position) axis[n] = 0;
   const FormulaKernels& kernels = formula_kernels(options_.isa);
   kernels.find_gradients(tape_.view(), options_.time, points,
                          registers_of(tape_.registers * kernels.gradient_bytes));
@@ -59,14 +89,12 @@ void ImplicitSurface::dress(const RayStream& rays, const HitStream& hits, const 
     const int i = slots[n];
     if (wishes.value) dressed.value[i] = points.value[n];
     if (!wishes.normal || made[i]) continue;
-    const Double3 d = {rays.dx[i], rays.dy[i], rays.dz[i]};
     const Double3 normal =
         options_.normals != NormalKind::difference
             ? normalized({points.gradient[0][n], points.gradient[1][n], points.gradient[2][n]})
             : difference_normal({points.position[0][n], points.position[1][n], points.position[2][n]},
-                                hits.t[i] * length(d));
-    const double turn = dot(normal, d) > 0 ? -1 : 1;
-    for (int a = 0; a < 3; ++a) dressed.normal[a][i] = turn * normal[a];
+                                hits.t[i] * length({rays.dx[i], rays.dy[i], rays.dz[i]}));
+    put_normal(rays, i, normal, dressed);
   }
 }
 

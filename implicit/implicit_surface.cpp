@@ -5,9 +5,11 @@
 #include <isocast/implicit/implicit_surface.h>
 #include <isocast/implicit/ray_beams.h>
 #include <isocast/implicit/register_memory.h>
+#include <isocast/implicit/traced_ray.h>
 #include <isocast/math/interval.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -64,6 +66,7 @@ void ImplicitSurface::set_options(const ImplicitSurfaceOptions& options) {
   prepare_frustum();
   float_query_ = make_query<float>();
   double_query_ = make_query<double>();
+  use_device();
 }
 
 void ImplicitSurface::prepare_frustum() {
@@ -83,6 +86,7 @@ void ImplicitSurface::prepare_frustum() {
                       : options_.mixed_precision ? FrustumPrecision::mixed
                                                  : FrustumPrecision::single;
   options.proves = method.proves();
+  options.normals = has_form_normals();
   options.isa = options_.isa;
   options.object = options_.object;
   frustum_ = std::make_shared<const FrustumTracer>(tape_, bounds_, options);
@@ -92,21 +96,9 @@ template <class T> const FormulaSolver<T>& ImplicitSurface::solver() const {
   return formula_kernels(options_.isa, options_.method.nearest).solver<T>(options_.method.method);
 }
 
-// A ray on its way through the box.
-struct ImplicitSurface::Traced {
-  ClippedRay ray;
-  double begin;  // nothing is left to be found before it
-  std::uint32_t sides;
-  bool active, carried, doubt;  // doubt: something before begin was not told
-  KnownCrossing known;
-};
-
-template <class T>
-void ImplicitSurface::trace(const FormulaQuery<T>& query, bool next, const RayStream& rays, HitStream& hits,
-                            TraceCounts& counts) const {
-  Traced traced[kStreamSize];
+void ImplicitSurface::begin(bool next, const RayStream& rays, HitStream& hits, TracedRay* traced) const {
   for (int i = 0; i < rays.size; ++i) {
-    Traced& one = traced[i];
+    TracedRay& one = traced[i];
     const bool has_hit =
         hits.object[i] == options_.object && hits.t[i] < std::numeric_limits<double>::infinity();
     one.ray = clip(rays, i, bounds_);
@@ -118,6 +110,13 @@ void ImplicitSurface::trace(const FormulaQuery<T>& query, bool next, const RaySt
     one.sides = next ? sides_behind(hits, i) : rays.start_sides[i];
     if (next && has_hit) hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = std::numeric_limits<double>::infinity();
   }
+}
+
+template <class T>
+void ImplicitSurface::trace(const FormulaQuery<T>& query, bool next, const RayStream& rays, HitStream& hits,
+                            TraceCounts& counts) const {
+  TracedRay traced[kStreamSize];
+  begin(next, rays, hits, traced);
   // where pruning cuts rays to pieces, the whole tape is too long for beams
   if (options_.method.beams && !next && rays.kind == RayKind::primary && pruning_.parts == 1)
     narrow(query, rays, traced, counts);
@@ -127,7 +126,7 @@ void ImplicitSurface::trace(const FormulaQuery<T>& query, bool next, const RaySt
 
 // Cuts the rays of a tile to where they may hit; those that cannot hit any more are proved misses.
 template <class T>
-void ImplicitSurface::narrow(const FormulaQuery<T>& query, const RayStream& rays, Traced* traced,
+void ImplicitSurface::narrow(const FormulaQuery<T>& query, const RayStream& rays, TracedRay* traced,
                              TraceCounts& counts) const {
   const FormulaSolver<T>& solver = this->solver<T>();
   if (!solver.narrow) return;
@@ -147,17 +146,16 @@ void ImplicitSurface::narrow(const FormulaQuery<T>& query, const RayStream& rays
   }
 }
 
-// The part of the rays that ends at `end`, a share of their way through the box.
+// The part of the rays that ends at `end`, a share of their way through the box; false if none has one.
 template <class T>
-void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const RayStream& rays,
-                                 Traced* traced, HitStream& hits, TraceCounts& counts) const {
-  SegmentStream<T> segments;
-  ClippedRay pieces[kStreamSize];
+bool ImplicitSurface::set_part(double end, const RayStream& rays, const TracedRay* traced,
+                               TracedPart<T>& part) const {
+  SegmentStream<T>& segments = part.segments;
   segments.size = rays.size;
   bool any_active = false;
   for (int i = 0; i < rays.size; ++i) {
-    const Traced& one = traced[i];
-    ClippedRay& piece = pieces[i] = one.ray;
+    const TracedRay& one = traced[i];
+    ClippedRay& piece = part.pieces[i] = one.ray;
     piece.near = one.begin;
     if (end < 1 && !one.known.crosses) piece.far = one.ray.near + end * (one.ray.far - one.ray.near);
     segments.active[i] = one.active && !piece.misses();
@@ -172,7 +170,15 @@ void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const
     if (options_.method.nearest)
       for (auto& slack : segments.slack) slack[i] = 0;
   }
-  if (!any_active) return;
+  return any_active;
+}
+
+template <class T>
+void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const RayStream& rays,
+                                 TracedRay* traced, HitStream& hits, TraceCounts& counts) const {
+  TracedPart<T> part;
+  if (!set_part(end, rays, traced, part)) return;
+  SegmentStream<T>& segments = part.segments;
   for (int first = 0; first < rays.size; first += kPacketSize)
     segments.together[first / kPacketSize] = whole.options.packets && march_together(segments, first);
 
@@ -184,14 +190,21 @@ void ImplicitSurface::trace_part(const FormulaQuery<T>& whole, double end, const
                               sides ? std::span<const double>(options_.iso) : std::span<const double>())
                      .view();
   }
-  SegmentRoots<T> roots;
-  solver.solve(query, segments, roots, registers_of(tape_.registers * solver.register_bytes));
-  for (int i = 0; i < rays.size; ++i) {
-    if (!segments.active[i]) continue;
+  solver.solve(query, segments, part.roots, registers_of(tape_.registers * solver.register_bytes));
+  take_roots(end, part, traced, hits, counts);
+}
+
+// What was found becomes hits, unless nearer ones are known.
+template <class T>
+void ImplicitSurface::take_roots(double end, const TracedPart<T>& part, TracedRay* traced, HitStream& hits,
+                                 TraceCounts& counts) const {
+  const SegmentRoots<T>& roots = part.roots;
+  for (int i = 0; i < part.segments.size; ++i) {
+    if (!part.segments.active[i]) continue;
     hits.cost[i] += roots.evaluations[i];
     counts.evaluations += roots.evaluations[i];
-    Traced& one = traced[i];
-    const ClippedRay& piece = pieces[i];
+    TracedRay& one = traced[i];
+    const ClippedRay& piece = part.pieces[i];
     const auto t_at = [&](T s) { return piece.near + static_cast<double>(s) * (piece.far - piece.near); };
     if (roots.hit[i] && !roots.proved[i] && !options_.method.marches() && roots.s_hi[i] >= T(1) && end < 1) {
       // the next part tells what it is
@@ -234,6 +247,7 @@ void ImplicitSurface::set_components(const RayStream& rays, HitStream& hits) con
 }
 
 void ImplicitSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
+  if (segment_solver_) return trace_on_device(false, {&rays, 1}, std::array{&hits}, counts);
   const DefaultFloatEnvironment environment;
   if (frustum_) {
     frustum_->trace(false, rays, hits, counts);
@@ -244,6 +258,7 @@ void ImplicitSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCou
   else trace(float_query_, false, rays, hits, counts);
 }
 void ImplicitSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
+  if (segment_solver_) return trace_on_device(true, {&rays, 1}, std::array{&hits}, counts);
   const DefaultFloatEnvironment environment;
   if (frustum_) {
     frustum_->trace(true, rays, hits, counts);
@@ -253,5 +268,14 @@ void ImplicitSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCoun
   if (options_.double_precision) trace(double_query_, true, rays, hits, counts);
   else trace(float_query_, true, rays, hits, counts);
 }
+
+// for device_trace.cpp
+template bool ImplicitSurface::set_part(double, const RayStream&, const TracedRay*, TracedPart<float>&) const;
+template bool ImplicitSurface::set_part(double, const RayStream&, const TracedRay*,
+                                        TracedPart<double>&) const;
+template void ImplicitSurface::take_roots(double, const TracedPart<float>&, TracedRay*, HitStream&,
+                                          TraceCounts&) const;
+template void ImplicitSurface::take_roots(double, const TracedPart<double>&, TracedRay*, HitStream&,
+                                          TraceCounts&) const;
 
 }  // namespace isocast

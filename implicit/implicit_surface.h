@@ -8,6 +8,7 @@
 #include <isocast/implicit/frustum/frustum_tracer.h>
 #include <isocast/implicit/methods.h>
 #include <isocast/implicit/segment_pruning.h>
+#include <isocast/implicit/segment_solver.h>
 #include <isocast/implicit/solve/kernels.h>
 #include <isocast/isa/cpu.h>
 #include <isocast/ray/surface.h>
@@ -18,6 +19,8 @@
 namespace isocast {
 
 struct FormulaPassInputs;
+struct TracedRay;
+template <class T> struct TracedPart;
 
 /// iso         1 to kMostIsos values
 /// time        the variable w
@@ -25,6 +28,7 @@ struct FormulaPassInputs;
 /// components  hits say which operand of the formula's min and max was hit; as the surface is made, for good
 /// mixed_precision  of frustum methods, without double_precision: polynomials in double, roots in float
 /// object      number of the object in its scene
+/// device      what solves rays, if not this processor: one by one, without passes, beams and pruning
 struct ImplicitSurfaceOptions {
   std::vector<double> iso = {0};
   double time = 0;
@@ -34,6 +38,7 @@ struct ImplicitSurfaceOptions {
   bool double_precision = false, mixed_precision = false;
   Isa isa = widest_isa();
   std::uint16_t object = 0;
+  std::shared_ptr<const FormulaDevice> device;
 };
 
 /// f(x, y, z, w = time) = iso inside a box. Grid-free: nothing is built but the tape; other options rebuild
@@ -69,20 +74,38 @@ class ImplicitSurface final : public Surface {
  private:
   template <class T> [[nodiscard]] FormulaQuery<T> make_query() const;
   [[nodiscard]] FormulaPassInputs pass_inputs() const;
+  bool put_cheap_normals(const RayStream& rays, const HitStream& hits, DressedHits& dressed,
+                         bool (&made)[kStreamSize]) const;
   [[nodiscard]] Double3 difference_normal(const Double3& p, double distance) const;
-  struct Traced;
   template <class T> [[nodiscard]] const FormulaSolver<T>& solver() const;
+  void begin(bool next, const RayStream& rays, HitStream& hits, TracedRay* traced) const;
   template <class T>
-  void narrow(const FormulaQuery<T>& query, const RayStream& rays, Traced* traced, TraceCounts& counts) const;
+  void narrow(const FormulaQuery<T>& query, const RayStream& rays, TracedRay* traced,
+              TraceCounts& counts) const;
   template <class T>
-  void trace_part(const FormulaQuery<T>& whole, double end, const RayStream& rays, Traced* traced,
+  [[nodiscard]] bool set_part(double end, const RayStream& rays, const TracedRay* traced,
+                              TracedPart<T>& part) const;
+  template <class T>
+  void trace_part(const FormulaQuery<T>& whole, double end, const RayStream& rays, TracedRay* traced,
                   HitStream& hits, TraceCounts& counts) const;
+  template <class T>
+  void take_roots(double end, const TracedPart<T>& part, TracedRay* traced, HitStream& hits,
+                  TraceCounts& counts) const;
   template <class T>
   void trace(const FormulaQuery<T>& query, bool next, const RayStream& rays, HitStream& hits,
              TraceCounts& counts) const;
+  template <class T>
+  void trace_on_device(const FormulaQuery<T>& query, bool next, std::span<const RayStream> rays,
+                       std::span<HitStream* const> hits, TraceCounts& counts) const;
+  void trace_on_device(bool next, std::span<const RayStream> rays, std::span<HitStream* const> hits,
+                       TraceCounts& counts) const;
+  void use_device();
 
   void set_components(const RayStream& rays, HitStream& hits) const;
   void prepare_frustum();
+  [[nodiscard]] bool has_form_normals() const {
+    return options_.method.form_normals && options_.normals != NormalKind::difference;
+  }
 
   std::optional<Components> components_;
   Tape tape_;
@@ -94,6 +117,9 @@ class ImplicitSurface final : public Surface {
   PruningPlan pruning_;
   double eps_ = 0, shadow_eps_ = 0;
   std::shared_ptr<const FrustumTracer> frustum_;  // of frustum methods
+  std::shared_ptr<const FormulaDevice> device_;   // that `segment_solver_` is for, with its key
+  SegmentSolverKey solver_key_ = {};
+  std::unique_ptr<const SegmentSolver> segment_solver_;
 };
 
 }  // namespace isocast

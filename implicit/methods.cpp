@@ -130,7 +130,17 @@ constexpr MethodOption kSteps = {
     "iterations", 64, 1, 64, true, "", "subdivisions or inserted knots of a ray"};
 constexpr MethodOption kCertify = {
     "certify", 1, 0, 1, true, "", "1: roots are improved, and the signs of the form prove hits and misses"};
-constexpr MethodOption kFrustum[] = {kFormEps, kStop, kSteps, kCertify, kNormalStep, kNormalGrows};
+constexpr MethodOption kGradient = {
+    "gradient",
+    0,
+    0,
+    1,
+    true,
+    "",
+    "what --normals gradient takes: formula: the formula's; form: the frustum form's, through its map's "
+    "Jacobian, on rays of the camera",
+    "formula form"};
+constexpr MethodOption kFrustum[] = {kFormEps, kStop, kSteps, kCertify, kGradient, kNormalStep, kNormalGrows};
 constexpr const char* kReimers =
     "Reimers, Seland: Ray casting algebraic surfaces using the frustum form, Computer Graphics Forum 27(2), "
     "2008";
@@ -233,6 +243,7 @@ FormulaMethodChoice choose_formula_method(std::string_view name,
                                              static_cast<int>(FormulaMethod::frustum_lr)),
                      value("eps", 0), value("stop", 0) == 1, static_cast<int>(value("iterations", 64))};
     choice.certify = value("certify", 1) != 0;
+    choice.form_normals = value("gradient", 0) == 1;
     choice.eps = 0;
   }
   if (choice.method == FormulaMethod::mitchell) options.derivative = Derivative::of_all;

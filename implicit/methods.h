@@ -25,7 +25,8 @@ enum class FormulaPass : std::uint8_t { none, frustum, certified, beam_uniform, 
 /// offset    added to every iso-value
 /// nearest   inclusions whose bounds are the nearest numbers
 /// beams     rays of a tile are first cut together to where f may be an iso-value
-/// finder    the root finder of frustum methods; certify: whether their hits and misses come with proofs
+/// finder    the root finder of frustum methods; certify: whether their hits and misses come with proofs;
+///           form_normals: gradients of rays of the camera are the form's, where a pass has one
 /// depth_eps       beam-uniform, beam-adaptive: of a pixel, in depth from -1 to 1
 /// finer           levels below pixels; affine_beams: by affine forms, else by intervals
 /// prune     where min, max or a choice is decided the tape is run without what it does not need
@@ -42,6 +43,7 @@ struct FormulaMethodChoice {
   int finer = 0;
   bool affine_beams = false;
   bool normal_grows = false, prune = true, nearest = false, beams = true, certify = true;
+  bool form_normals = false;
   FinderOptions finder;
   /// Samples f along the rays instead of including it.
   [[nodiscard]] bool marches() const {

@@ -2,6 +2,7 @@
 #include <isocast/implicit/beams/certified_pass.h>
 #include <isocast/implicit/beams/formula_coverage.h>
 #include <isocast/implicit/implicit_surface.h>
+#include <isocast/render/stream_pass.h>
 
 namespace isocast {
 namespace {
@@ -26,6 +27,10 @@ FormulaPassInputs ImplicitSurface::pass_inputs() const {
 }
 
 std::unique_ptr<PrimaryPass> ImplicitSurface::primary(const View& view) const {
+  if (segment_solver_)
+    return std::make_unique<StreamPass>(*this, view, [this](auto rays, auto hits, TraceCounts& counts) {
+      trace_on_device(false, rays, hits, counts);
+    });
   const FormulaMethodChoice& method = options_.method;
   if (method.pass == FormulaPass::none) return nullptr;
   // components are told from rays

@@ -16,15 +16,15 @@ struct CellRoot {
 };
 
 /// Whether a root is the hit of slot i: not where it lies behind the ray's end or a nearer hit.
-inline double root_t(const CellRoot& root) { return root.t_in + root.s * (root.t_out - root.t_in); }
-inline bool is_nearer(const CellRoot& root, const RayStream& rays, const HitStream& hits, int i) {
+ISO_HD inline double root_t(const CellRoot& root) { return root.t_in + root.s * (root.t_out - root.t_in); }
+ISO_HD inline bool is_nearer(const CellRoot& root, const RayStream& rays, const HitStream& hits, int i) {
   const double t = root_t(root);
   return t <= rays.t_max[i] && t < hits.t[i];
 }
 
 /// Writes it into slot i.
-inline void write_hit(const VolumeQuery& query, const CellRoot& root, std::uint32_t sides, HitStream& hits,
-                      int i) {
+ISO_HD inline void write_hit(const VolumeQuery& query, const CellRoot& root, std::uint32_t sides,
+                             HitStream& hits, int i) {
   const double span = root.t_out - root.t_in;
   hits.t[i] = root_t(root);
   // what the roundings of t can make

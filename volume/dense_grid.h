@@ -30,6 +30,13 @@ template <class S> class DenseGrid {
   /// Makes `place` that of cell c.
   ISO_HD void enter(const std::int32_t (&)[3], Place&) const {}
 
+  /// Asks memory for the corners of cell c.
+  void prefetch(const std::int32_t (&c)[3]) const {
+    const S* p = corner(c);
+    const std::size_t row = std::size_t(grid_.dims[0]), slice = row * std::size_t(grid_.dims[1]);
+    for (const std::size_t offset : {std::size_t(0), row, slice, slice + row}) __builtin_prefetch(p + offset);
+  }
+
   /// The eight corners of cell c, x fastest.
   ISO_HD void load_corners(const std::int32_t (&c)[3], const Place&, S (&f)[8]) const {
     const S* p = corner(c);
@@ -71,7 +78,7 @@ template <class S> class DenseGrid {
            std::size_t(c[0]);
   }
 
-  const GridView& grid_;
+  GridView grid_;
   Key keys_[kMaxIsos];
   int iso_count_;
 };

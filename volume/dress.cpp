@@ -24,65 +24,94 @@ template <class Grid> struct Samples {
   }
 };
 
-template <class Grid>
-void load_corners(const Samples<Grid>& samples, const HitStream& hits, int size, HitsToDress& dress) {
-  for (int i = 0; i < size; ++i) {
-    if (!(dress.mine[i] > 0)) continue;
-    const std::int32_t x = hits.cell[0][i], y = hits.cell[1][i], z = hits.cell[2][i];
-    for (int k = 0; k < 8; ++k) dress.corners[k][i] = samples.at(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2));
-  }
-}
+// Those of cells, packet by packet of a stream.
+template <class Grid> class Dresser {
+ public:
+  Dresser(const VolumeDressing& dressing, const RayStream& rays, const HitStream& hits)
+      : dressing_(dressing), rays_(rays), hits_(hits), grid_(dressing.query) {}
 
-template <class Grid>
-void difference(const Samples<Grid>& samples, const HitStream& hits, int size, HitsToDress& dress) {
-  for (int i = 0; i < size; ++i) {
-    if (!(dress.mine[i] > 0)) continue;
-    const Vec3<double> p = {dress.place[0][i], dress.place[1][i], dress.place[2][i]};
-    for (int axis = 0; axis < 3; ++axis) {
-      double g[8];
-      for (int k = 0; k < 8; ++k)
-        g[k] = samples.difference(
-            {hits.cell[0][i] + (k & 1), hits.cell[1][i] + (k >> 1 & 1), hits.cell[2][i] + (k >> 2)}, axis);
-      dress.gradient[axis][i] = trilinear(g, p);
+  void dress(int first, const DressWishes& wishes, DressedHits& dressed) {
+    const DressKernels& kernels = dressing_.kernels;
+    const double(&grid_from_world)[3][4] = dressing_.query.grid_from_world;
+    prefetch(first + kPacketSize);
+    if (!find_mine(first)) return;
+    kernels.locate(grid_from_world, rays_, hits_, first, work_);
+    for (int l = 0; l < kPacketSize; ++l)
+      if (wishes.position && work_.mine[l] > 0)
+        for (int a = 0; a < 3; ++a) dressed.position[a][first + l] = work_.world[a][l];
+    const bool smooth = dressing_.normals == NormalKind::difference;
+    if (wishes.value || (wishes.normal && !smooth)) load_corners(first);
+    if (wishes.value)
+      kernels.interpolate(dressing_.slope, dressing_.intercept, first, work_, dressed.value);
+    if (!wishes.normal) return;
+    if (smooth) difference(first);
+    else kernels.differentiate(work_);
+    kernels.turn(grid_from_world, rays_, first, work_, dressed.normal);
+  }
+
+ private:
+  bool is_mine(int i) const { return hits_.object[i] == dressing_.query.object && is_hit(hits_, i); }
+
+  void prefetch(int first) const {
+    for (int i = first; i < std::min(first + kPacketSize, rays_.size); ++i)
+      if (is_mine(i)) grid_.prefetch({hits_.cell[0][i], hits_.cell[1][i], hits_.cell[2][i]});
+  }
+
+  bool find_mine(int first) {
+    bool any = false;
+    for (int l = 0; l < kPacketSize; ++l) {
+      const bool mine = first + l < rays_.size && is_mine(first + l);
+      work_.mine[l] = mine;
+      any = any || mine;
+    }
+    return any;
+  }
+
+  void load_corners(int first) {
+    for (int l = 0; l < kPacketSize; ++l) {
+      if (!(work_.mine[l] > 0)) continue;
+      const std::int32_t cell[3] = {hits_.cell[0][first + l], hits_.cell[1][first + l],
+                                    hits_.cell[2][first + l]};
+      typename Grid::Sample raw[8];
+      grid_.enter(cell, place_);
+      grid_.load_corners(cell, place_, raw);
+      for (int k = 0; k < 8; ++k) work_.corners[k][l] = double(number(raw[k]));
     }
   }
-}
 
-template <class Grid>
-void dress(const VolumeDressing& dressing, const RayStream& rays, const HitStream& hits,
-           const DressWishes& wishes, DressedHits& dressed) {
-  const Grid grid(dressing.query);
-  const Samples<Grid> samples{grid, dressing.query.samples};
-  const DressKernels& kernels = dressing.kernels;
-  const double(&grid_from_world)[3][4] = dressing.query.grid_from_world;
-  HitsToDress work;
-  bool any = false;
-  for (int i = 0; i < rays.size; ++i) {
-    const bool mine = hits.object[i] == dressing.query.object && is_hit(hits, i);
-    work.mine[i] = mine;
-    any = any || mine;
+  void difference(int first) {
+    const Samples<Grid> samples{grid_, dressing_.query.samples};
+    for (int l = 0; l < kPacketSize; ++l) {
+      if (!(work_.mine[l] > 0)) continue;
+      const int i = first + l;
+      const Vec3<double> p = {work_.place[0][l], work_.place[1][l], work_.place[2][l]};
+      for (int axis = 0; axis < 3; ++axis) {
+        double g[8];
+        for (int k = 0; k < 8; ++k)
+          g[k] = samples.difference({hits_.cell[0][i] + (k & 1), hits_.cell[1][i] + (k >> 1 & 1),
+                                     hits_.cell[2][i] + (k >> 2)},
+                                    axis);
+        work_.gradient[axis][l] = trilinear(g, p);
+      }
+    }
   }
-  std::fill(work.mine + rays.size, std::end(work.mine), 0.0);
-  if (!any) return;
-  kernels.locate(grid_from_world, rays, hits, work);
-  for (int i = 0; i < rays.size; ++i)
-    if (wishes.position && work.mine[i] > 0)
-      for (int a = 0; a < 3; ++a) dressed.position[a][i] = work.world[a][i];
-  const bool smooth = dressing.normals == NormalKind::difference;
-  if (wishes.value || (wishes.normal && !smooth)) load_corners(samples, hits, rays.size, work);
-  if (wishes.value) kernels.interpolate(dressing.slope, dressing.intercept, rays.size, work, dressed.value);
-  if (!wishes.normal) return;
-  if (smooth) difference(samples, hits, rays.size, work);
-  else kernels.differentiate(rays.size, work);
-  kernels.turn(grid_from_world, rays, work, dressed.normal);
-}
+
+  const VolumeDressing& dressing_;
+  const RayStream& rays_;
+  const HitStream& hits_;
+  const Grid grid_;
+  typename Grid::Place place_;
+  HitsToDress work_;
+};
 
 }  // namespace
 
 void dress_volume_hits(const VolumeDressing& dressing, const RayStream& rays, const HitStream& hits,
                        const DressWishes& wishes, DressedHits& dressed) {
-  visit_grid(dressing.query,
-             [&]<class Grid>(GridTag<Grid>) { dress<Grid>(dressing, rays, hits, wishes, dressed); });
+  visit_grid(dressing.query, [&]<class Grid>(GridTag<Grid>) {
+    Dresser<Grid> dresser(dressing, rays, hits);
+    for (int first = 0; first < rays.size; first += kPacketSize) dresser.dress(first, wishes, dressed);
+  });
 }
 
 }  // namespace isocast

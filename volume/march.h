@@ -13,26 +13,27 @@ ISO_HD inline std::uint32_t march(const Grid& grid, const GridRay& ray, GridWalk
                                   typename Grid::Place& place, bool tested, TraceCounts& counts) {
   std::uint32_t active = 0;
   std::int64_t cells = 0, macrocells = 0;
-  for (;;) {
-    bool found = false;
-    if (walk.depth == walk.kCells) {
-      found = walk_level(ray, walk, tested, [&](const std::int32_t(&c)[3]) {
-        ++cells;
-        active = grid.active_isos(c, place);
-        return active != 0;
-      });
-      if (found) break;
+  const auto test = [&](auto level, const std::int32_t(&b)[3]) {
+    if constexpr (level == GridWalk<Grid::kLevels>::kCells) {
+      ++cells;
+      active = grid.active_isos(b, place);
+      return active != 0;
     } else {
-      const int level = walk.depth;
-      found = walk_level(ray, walk, tested, [&](const std::int32_t(&b)[3]) {
-        ++macrocells;
-        return grid.block_active(level, b, place);
-      });
+      ++macrocells;
+      return grid.block_active(level, b, place);
     }
+  };
+  // on the walk's level; whether it goes on
+  const auto step = [&](auto level) {
+    const bool found = walk_level<level>(ray, grid.shifts, walk, tested,
+                                         [&](const std::int32_t(&b)[3]) { return test(level, b); });
+    if constexpr (level == GridWalk<Grid::kLevels>::kCells) {
+      if (found) return false;
+    } else if (found) descend<level>(ray, grid.shifts, walk);
     tested = false;
-    if (found) descend(ray, grid.shifts[walk.depth], grid.shifts[walk.depth + 1], walk);
-    else if (!ascend(ray, walk)) break;
-  }
+    return found || ascend<level>(ray, grid.shifts, walk);
+  };
+  while (at_index<Grid::kLevels>(walk.depth, step)) {}
   counts.cells += cells;
   counts.macrocells += macrocells;
   return active;

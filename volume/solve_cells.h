@@ -1,14 +1,16 @@
-// The cells that up to sixteen rays have come to, solved for all iso-values: what the walk and streams share.
+// The cells that up to sixteen rays have come to, solved for all iso-values: what the walk, streams and the
+// GPU (one ray a packet) share.
 #pragma once
 
+#include <isocast/math/lanes.h>
 #include <isocast/volume/cell/cell.h>
 #include <isocast/volume/cell_root.h>
-#include <isocast/volume/solve_packet.h>
 #include <isocast/volume/traverse.h>
 
 namespace isocast::inline ISO_ISA {
 
-// What is asked of `cells`, the cells of up to 16 rays, one a lane:
+// What is asked of `cells`, the cells of up to kLanes rays, one a lane; a packet of that many lanes needs an
+// overload of solve_packet(query, packet, roots) (solve_packet.h, solve_one.h):
 //   holding(iso, lanes)    those of the lanes whose cell holds an iso-value
 //   fetch(iso, lanes, packet, doubtful)
 //                          corners minus iso, chords and starts of the cells of `lanes` into the packet;
@@ -20,7 +22,7 @@ namespace isocast::inline ISO_ISA {
 //   doubt(l)               something before this cell was not proved
 
 /// f at the entry of a lane's cell, as the intersectors see it.
-template <class T> inline T value_at_entry(const CellPacket<T>& packet, int l) {
+template <class T, int N> ISO_HD inline T value_at_entry(const CellPacket<T, N>& packet, int l) {
   T f[8];
   for (int k = 0; k < 8; ++k) f[k] = packet.f[k][l];
   return trilinear<T>(f, Vec3<T>{packet.entry[0][l], packet.entry[1][l], packet.entry[2][l]});
@@ -28,8 +30,9 @@ template <class T> inline T value_at_entry(const CellPacket<T>& packet, int l) {
 
 /// The start of a lane's cell for an iso-value: roots are sought behind `begin`, and the sign there is known
 /// where `known`.
-template <class T>
-inline void set_start(CellPacket<T>& packet, int l, double begin, bool known, std::uint32_t sides, int iso) {
+template <class T, int N>
+ISO_HD inline void set_start(CellPacket<T, N>& packet, int l, double begin, bool known, std::uint32_t sides,
+                             int iso) {
   packet.begin[l] = T(begin);
   packet.carry[l] = known ? (sides >> iso & 1 ? T(-0.0) : T(0)) : T(__builtin_nan(""));
 }
@@ -37,11 +40,11 @@ inline void set_start(CellPacket<T>& packet, int l, double begin, bool known, st
 /// Sides of all iso-values in front of the hit of iso `hit_iso`; `behind`: f is negative behind it,
 /// `touched`: so it is in front.
 template <class T, class Cells>
-inline std::uint32_t sides_in_front(const VolumeQuery& query, const Cells& cells, int l, int hit_iso,
-                                    bool behind, bool touched) {
+ISO_HD inline std::uint32_t sides_in_front(const VolumeQuery& query, const Cells& cells, int l, int hit_iso,
+                                           bool behind, bool touched) {
   std::uint32_t sides = std::uint32_t(behind == touched) << hit_iso, known = 0, doubtful = 0;
   const bool carried = cells.known_sides(l, known);
-  CellPacket<T> packet;
+  CellPacket<T, Cells::kLanes> packet;
   for (int i = 0; i < query.iso_count; ++i) {
     if (i == hit_iso) continue;
     if (carried) sides |= known & 1u << i;
@@ -53,39 +56,37 @@ inline std::uint32_t sides_in_front(const VolumeQuery& query, const Cells& cells
 
 /// The nearest root among the iso-values in each lane's cell. unproved: that it is this one, or that there is
 /// none.
-template <class T> struct Nearest {
-  T s[kPacketSize], s_lo[kPacketSize], s_hi[kPacketSize];
-  int iso[kPacketSize];
+template <class T, int N = kPacketSize> struct Nearest {
+  T s[N], s_lo[N], s_hi[N];
+  int iso[N];
   std::uint32_t hit = 0, undecided = 0, behind = 0, unproved = 0;
 };
-template <class T, class Cells>
-inline Nearest<T> solve_cells(const VolumeQuery& query, const Cells& cells, std::uint32_t alive,
-                              std::uint32_t* cost, CellPacket<T>& packet, RootPacket<T>& roots,
-                              TraceCounts& counts) {
-  Nearest<T> nearest;
+template <class T, int N, class Cells>
+ISO_HD inline Nearest<T, N> solve_cells(const VolumeQuery& query, const Cells& cells, std::uint32_t alive,
+                                        std::uint32_t* cost, CellPacket<T, N>& packet,
+                                        RootPacket<T, N>& roots, TraceCounts& counts) {
+  Nearest<T, N> nearest;
   for (int i = 0; i < query.iso_count; ++i) {
     packet.active = cells.fetch(i, cells.holding(i, alive), packet, nearest.unproved);
     if (packet.active == 0) continue;
-    for (std::uint32_t rest = packet.active; rest; rest &= rest - 1) ++cost[__builtin_ctz(rest)];
-    counts.solves += __builtin_popcount(packet.active);
+    for_lanes<N>(packet.active, [&](int l) { ++cost[l]; });
+    counts.solves += count_bits(packet.active);
     solve_packet(query, packet, roots);
     nearest.unproved |= packet.active & ~roots.proved;
 
     // exactly zero at the very start of a ray is a hit there; the side behind is the positive one
-    for (std::uint32_t rest = packet.active; rest; rest &= rest - 1) {
-      const int l = __builtin_ctz(rest);
-      if (!cells.starts(l) || value_at_entry(packet, l) != T(0)) continue;
+    for_lanes<N>(packet.active, [&](int l) {
+      if (!cells.starts(l) || value_at_entry(packet, l) != T(0)) return;
       roots.s[l] = roots.s_lo[l] = roots.s_hi[l] = T(0);
       roots.hit |= 1u << l;
       roots.undecided |= 1u << l;
       roots.sign &= ~(1u << l);
-    }
-    for (std::uint32_t rest = roots.hit; rest; rest &= rest - 1) {
-      const int l = __builtin_ctz(rest);
+    });
+    for_lanes<N>(roots.hit, [&](int l) {
       const std::uint32_t bit = 1u << l;
       if ((nearest.hit & bit) && roots.s_lo[l] < nearest.s_hi[l] && nearest.s_lo[l] < roots.s_hi[l])
         nearest.unproved |= bit;
-      if ((nearest.hit & bit) && !(roots.s[l] < nearest.s[l])) continue;
+      if ((nearest.hit & bit) && !(roots.s[l] < nearest.s[l])) return;
       nearest.s[l] = roots.s[l];
       nearest.s_lo[l] = roots.s_lo[l];
       nearest.s_hi[l] = roots.s_hi[l];
@@ -93,15 +94,15 @@ inline Nearest<T> solve_cells(const VolumeQuery& query, const Cells& cells, std:
       nearest.hit |= bit;
       nearest.undecided = (nearest.undecided & ~bit) | (roots.undecided & bit);
       nearest.behind = (nearest.behind & ~bit) | (roots.sign & bit);
-    }
+    });
   }
   return nearest;
 }
 
 /// Writes the root of lane l into the hit of slot i, unless it lies behind the ray's end or a nearer hit.
-template <class T, class Cells>
-inline void record_hit(const VolumeQuery& query, const Cells& cells, const Nearest<T>& nearest, int l,
-                       const RayStream& rays, HitStream& hits, int i) {
+template <class T, int N, class Cells>
+ISO_HD inline void record_hit(const VolumeQuery& query, const Cells& cells, const Nearest<T, N>& nearest,
+                              int l, const RayStream& rays, HitStream& hits, int i) {
   CellRoot root = cells.place(l);
   root.s = double(nearest.s[l]);
   root.s_lo = double(nearest.s_lo[l]);

@@ -26,10 +26,13 @@ template <class S> class SparseGrid {
   ISO_HD explicit SparseGrid(const VolumeQuery& query)
       : tree_(query.tree), ranges_(query.tree_ranges), iso_count_(query.iso_count) {
     for (int i = 0; i < iso_count_; ++i) keys_[i] = Key(query.key[i]);
-    for (int l = 0; l < kLevels; ++l) shifts[l] = kTreeShifts[l];
+    for (int l = 0; l < kLevels; ++l) shifts[l] = tree_shift(l);
   }
 
   ISO_HD Sample at(const std::int32_t (&c)[3]) const { return sample_at<S>(tree_, c); }
+
+  /// Nothing: the way to the samples would be the longer part.
+  void prefetch(const std::int32_t (&)[3]) const {}
 
   ISO_HD void load_corners(const std::int32_t (&c)[3], const Place& place, Sample (&f)[8]) const {
     const int n = leaf_index(c[0], c[1], c[2]);
@@ -68,7 +71,7 @@ template <class S> class SparseGrid {
     Range range = range_of(level, own.entry);
     if (!own.entry.is_child()) {
       // one value within the tile; blocks at its far faces see what lies beyond
-      const std::int32_t last = (1 << (kTreeShifts[own.level] - kTreeShifts[level])) - 1;
+      const std::int32_t last = (1 << (tree_shift(own.level) - tree_shift(level))) - 1;
       int faces = 0;
       for (int a = 0; a < 3; ++a) faces |= int((b[a] & last) == last) << a;
       for (int k = 1; k < 8; ++k) {
@@ -134,8 +137,8 @@ template <class S> class SparseGrid {
     return {value, value};
   }
 
-  const SparseView& tree_;
-  const SparseRanges& ranges_;
+  SparseView tree_;
+  SparseRanges ranges_;
   Key keys_[kMaxIsos];
   int iso_count_;
 };

@@ -43,6 +43,7 @@ class SparseTree {
   [[nodiscard]] std::span<const SparseLeaf> leaves() const { return leaves_; }
   [[nodiscard]] std::span<const TileBlock> active_tiles() const { return active_tiles_; }
   [[nodiscard]] std::span<const SparseRootSlot> root() const { return root_; }
+  [[nodiscard]] std::size_t tile_count() const { return tiles_.size(); }
   [[nodiscard]] std::size_t upper_count() const { return upper_count_; }
   [[nodiscard]] std::size_t lower_count() const { return lower_count_; }
 

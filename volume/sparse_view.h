@@ -14,6 +14,10 @@ enum class SparseType : std::uint8_t { f32, f64, i16, i32, i64, fp4, fp8, fp16, 
 /// lower blocks, these hold 16^3 leaves of 8^3 samples. Then the samples.
 inline constexpr int kTreeLevels = 3;
 inline constexpr std::int32_t kTreeShifts[kTreeLevels + 1] = {12, 7, 3, 0};
+/// kTreeShifts[level], where an array cannot be reached.
+ISO_HD constexpr std::int32_t tree_shift(int level) {
+  return level == 0 ? 12 : level == 1 ? 7 : level == 2 ? 3 : 0;
+}
 inline constexpr int kLeafSamples = 512;
 inline constexpr std::size_t kUpperEntries = 32768, kLowerEntries = 4096;
 
@@ -94,8 +98,8 @@ struct FoundEntry {
   int level;
   std::size_t place;
 };
-ISO_HD inline FoundEntry find_entry(const SparseView& tree, int level, const std::int32_t (&b)[3]) {
-  const int to_root = kTreeShifts[0] - kTreeShifts[level];
+ISO_HD_CALLED inline FoundEntry find_entry(const SparseView& tree, int level, const std::int32_t (&b)[3]) {
+  const int to_root = tree_shift(0) - tree_shift(level);
   const std::int32_t root[3] = {b[0] >> to_root, b[1] >> to_root, b[2] >> to_root};
   SparseEntry entry;
   for (std::uint32_t slot = root_hash(root) & tree.root_mask; tree.root[slot].used;
@@ -107,7 +111,7 @@ ISO_HD inline FoundEntry find_entry(const SparseView& tree, int level, const std
     }
   }
   if (level == 0 || !entry.is_child()) return {entry, 0, 0};
-  const int s = kTreeShifts[1] - kTreeShifts[level];
+  const int s = tree_shift(1) - tree_shift(level);
   const std::size_t upper = entry.index() * kUpperEntries +
                             std::size_t((b[0] >> s & 31) << 10 | (b[1] >> s & 31) << 5 | (b[2] >> s & 31));
   entry = tree.upper[upper];

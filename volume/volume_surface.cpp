@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <isocast/base/error.h>
+#include <isocast/render/stream_pass.h>
 #include <isocast/volume/dress.h>
 #include <isocast/volume/primary/volume_pass.h>
 #include <isocast/volume/sample.h>
@@ -7,6 +8,7 @@
 #include <isocast/volume/volume_surface.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -161,6 +163,15 @@ void VolumeSurface::set_options(const VolumeSurfaceOptions& options) {
   query_.cells = &cell_kernels(options.isa);
   isa_ = options.isa;
   order_ = options.order;
+  use_device(options.device);
+}
+
+void VolumeSurface::use_device(std::shared_ptr<const VolumeDevice> device) {
+  if (device == device_) return;
+  tracer_ = device ? device->tracer_of(query_, {*volume_, macrocells_ ? &*macrocells_ : nullptr,
+                                                ranges_ ? &*ranges_ : nullptr})
+                   : nullptr;
+  device_ = std::move(device);
 }
 
 // Those of iso-values that stay are kept.
@@ -175,6 +186,10 @@ void VolumeSurface::choose_masks() {
 }
 
 std::unique_ptr<PrimaryPass> VolumeSurface::primary(const View& view) const {
+  if (tracer_)
+    return std::make_unique<StreamPass>(*this, view, [this](auto rays, auto hits, TraceCounts& counts) {
+      tracer_->trace(query_, false, rays, hits, counts);
+    });
   if (bricks_.count == 0 || order_ != RayOrder::automatic) return nullptr;
   std::optional<BricksInView> bricks = find_bricks(query_, bricks_, volume_->world_from_grid, view);
   if (!bricks) return nullptr;
@@ -201,12 +216,14 @@ MarchField VolumeSurface::march_field() const {
 
 void VolumeSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   if (active_bounds_.empty()) return;
+  if (tracer_) return tracer_->trace(query_, false, {&rays, 1}, std::array{&hits}, counts);
   const DefaultFloatEnvironment environment;
   if (order_ == RayOrder::walk || !directory_.complete()) trace_first_hits(query_, rays, hits, counts);
   else trace_first_hits(march_field(), stream_kernels(isa_), rays, hits, counts);
 }
 
 void VolumeSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
+  if (tracer_) return tracer_->trace(query_, true, {&rays, 1}, std::array{&hits}, counts);
   const DefaultFloatEnvironment environment;
   if (order_ == RayOrder::walk || !directory_.complete()) trace_next_hits(query_, rays, hits, counts);
   else trace_next_hits(march_field(), stream_kernels(isa_), rays, hits, counts);

@@ -12,6 +12,7 @@
 #include <isocast/volume/sparse_ranges.h>
 #include <isocast/volume/stream/march_field.h>
 #include <isocast/volume/volume.h>
+#include <isocast/volume/volume_tracer.h>
 
 #include <memory>
 #include <optional>
@@ -38,6 +39,7 @@ struct MaskUse {
 ///           difference: central differences at the samples, interpolated, smooth
 /// object    number of the object in its scene
 /// order     of rays
+/// device    what traces them, if not this processor: then `order` has no meaning
 struct VolumeSurfaceOptions {
   std::vector<double> iso;
   CellMethodChoice method = choose_cell_method("auto", {});
@@ -46,6 +48,7 @@ struct VolumeSurfaceOptions {
   NormalKind normals = NormalKind::gradient;
   std::uint16_t object = 0;
   RayOrder order = RayOrder::automatic;
+  std::shared_ptr<const VolumeDevice> device;
 };
 
 /// Holds the samples, dense or sparse, and the ranges that let rays leap; other options need one look at the
@@ -82,6 +85,7 @@ class VolumeSurface final : public Surface {
   void use_dense_grid();
   void use_tree();
   void choose_masks();
+  void use_device(std::shared_ptr<const VolumeDevice> device);
   [[nodiscard]] MarchField march_field() const;
   [[nodiscard]] Box world_box(const Double3& lo, const Double3& hi) const;
 
@@ -96,6 +100,8 @@ class VolumeSurface final : public Surface {
   Isa isa_;
   NormalKind normals_;
   RayOrder order_;
+  std::shared_ptr<const VolumeDevice> device_;
+  std::unique_ptr<const VolumeTracer> tracer_;  // of the device
 };
 
 /// The threshold of an iso-value in stored units: a sample s lies below it (s < key) exactly where the corner

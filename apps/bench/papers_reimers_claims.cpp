@@ -169,6 +169,9 @@ class Claims {
                  run_.each([&](const Surface& s) {
                    return run_.shading(s.id)->neighbours / run_.shading(s.id)->gradients;
                  })));
+    add(measured("R-REI-12", "Gradients through the form's Jacobian are the formula's",
+                 "median angle, degrees", {0, 0.1},
+                 run_.each([&](const Surface& s) { return run_.shading(s.id)->form_angle; })));
     const auto per_hit = [&](int least, int most) {
       return quantile(run_.each(
                           [&](const Surface& s) {

@@ -45,7 +45,7 @@ class ReimersPicture {
       cast_all();
       findings_.results.push_back({judged(way), judge_->numbers(surface(), hits_)});
     }
-    findings_.shading.angle = angle_of_normals();
+    compare_normals();
     time_all();
     return std::move(findings_);
   }
@@ -112,6 +112,7 @@ class ReimersPicture {
   }
   static void copy_slot(const HitStream& from, HitStream& to, int i, int n) {
     to.t[n] = from.t[i], to.t_lo[n] = from.t_lo[i], to.t_hi[n] = from.t_hi[i];
+    to.s[n] = from.s[i], to.s_hi[n] = from.s_hi[i];
     to.object[n] = from.object[i], to.iso[n] = from.iso[i];
     to.certificate[n] = from.certificate[i];
   }
@@ -128,26 +129,43 @@ class ReimersPicture {
     return row;
   }
 
-  void dress_all(const BuiltScene& scene, std::vector<DressedHits>& dressed) const {
-    for (std::size_t s = 0; s < rays_.size(); ++s)
-      scene.scene.objects.front().surface->dress(rays_[s], judge_->reference()[s], {.normal = true},
-                                                 dressed[s]);
-  }
-  double angle_of_normals() {
-    std::vector<DressedHits> others(rays_.size());
-    dress_all(built_, dressed_);
-    dress_all(by_neighbours_, others);
-    std::vector<double> angles;
+  using Normals = std::vector<Double3>;  // of the picture's pixels
+  [[nodiscard]] Normals normals(const BuiltScene& scene, const std::vector<HitStream>& hits) const {
+    Normals result(static_cast<std::size_t>(picture_.rays()));
+    std::vector<DressedHits> looks(rays_.size());
+    for (std::size_t s = 0; s < rays_.size(); ++s) dress(scene, hits, s, looks[s]);
     each_ray(rays_, [&](std::size_t s, int i) {
-      if (!is_hit(judge_->reference()[s], i)) return;
-      ++findings_.shading.hits;
-      if (judge_->is_edge(rays_[s].id[i])) return;
-      const auto normal = [&](const DressedHits& d) {
-        return Double3{d.normal[0][i], d.normal[1][i], d.normal[2][i]};
-      };
-      angles.push_back(angle_in_degrees(normal(dressed_[s]), normal(others[s])));
+      const auto& normal = looks[s].normal;
+      if (is_hit(hits[s], i)) result[rays_[s].id[i]] = {normal[0][i], normal[1][i], normal[2][i]};
     });
+    return result;
+  }
+  void dress(const BuiltScene& scene, const std::vector<HitStream>& hits, std::size_t s,
+             DressedHits& looks) const {
+    scene.scene.objects.front().surface->dress(rays_[s], hits[s], {.normal = true}, looks);
+  }
+  // As a renderer does, in one place.
+  void dress_all(const BuiltScene& scene, const std::vector<HitStream>& hits) {
+    for (std::size_t s = 0; s < rays_.size(); ++s) dress(scene, hits, s, *looks_);
+  }
+
+  // Median between two kinds of normal of hits, away from edges, in degrees.
+  [[nodiscard]] double angle_between(const Normals& a, const Normals& b) const {
+    std::vector<double> angles;
+    for (std::size_t pixel = 0; pixel < a.size(); ++pixel)
+      if (length(a[pixel]) > 0 && !judge_->is_edge(static_cast<std::uint32_t>(pixel)))
+        angles.push_back(angle_in_degrees(a[pixel], b[pixel]));
     return quantile(angles, 0.5);
+  }
+  void compare_normals() {
+    const std::vector<HitStream>& hits = judge_->reference();
+    each_ray(rays_, [&](std::size_t s, int i) { findings_.shading.hits += is_hit(hits[s], i); });
+    findings_.shading.angle = angle_between(normals(built_, hits), normals(by_neighbours_, hits));
+    use(form_);
+    cast_all();
+    const Normals form = normals(built_, hits_);
+    use(lr_);
+    findings_.shading.form_angle = angle_between(normals(built_, hits_), form);
   }
 
   void render_frame(bool silhouettes, int samples) {
@@ -157,31 +175,42 @@ class ReimersPicture {
 
   void time_all() {
     std::vector<std::function<void()>> candidates(ways_.size(), [this] { cast([](int, int) {}); });
-    const std::size_t passes = candidates.size();
-    candidates.emplace_back([this] { dress_all(built_, dressed_); });
-    candidates.emplace_back([this] { dress_all(by_neighbours_, dressed_); });
+    candidates.emplace_back(candidates.front());
+    candidates.emplace_back([this] { dress_all(built_, hits_); });
+    const std::size_t passes = ways_.size(), forms = candidates.size();
+    candidates.emplace_back(candidates.front());
+    candidates.emplace_back([this] { dress_all(built_, judge_->reference()); });
+    candidates.emplace_back([this] { dress_all(by_neighbours_, judge_->reference()); });
     for (const auto& [silhouettes, samples] : {std::pair{false, 1}, {true, 1}, {false, 4}})
       candidates.emplace_back([this, silhouettes, samples] { render_frame(silhouettes, samples); });
-    const FinderWay lr = {finder("frustum-lr")};
-    const auto prepare = [&](std::size_t c) { use(c < passes ? ways_[c] : lr); };
+    const auto prepare = [&](std::size_t c) { use(c < passes ? ways_[c] : c < forms ? form_ : lr_); };
     std::vector<Timing> timings;
     oneapi::tbb::task_arena alone(1);
     alone.execute(
         [&] { timings = time_interleaved(candidates, wishes_.repetitions, Clock::thread, prepare); });
     for (std::size_t c = 0; c < passes; ++c) set_timing(findings_.results[c].row, timings[c]);
     ShadingNumbers& shading = findings_.shading;
-    double* const seconds[] = {&shading.gradients, &shading.neighbours, &shading.frame, &shading.silhouettes,
+    double by_lr = 0, by_form = 0;
+    double* const seconds[] = {&by_form,
+                               &shading.form,
+                               &by_lr,
+                               &shading.gradients,
+                               &shading.neighbours,
+                               &shading.frame,
+                               &shading.silhouettes,
                                &shading.four_samples};
     for (std::size_t k = 0; k < std::size(seconds); ++k) *seconds[k] = timings[passes + k].seconds;
+    shading.form += by_form - by_lr;
   }
 
+  const FinderWay lr_ = {finder("frustum-lr")}, form_ = {finder("frustum-lr", {{"gradient", "form"}})};
   const PictureCase& picture_;
   const ReimersWishes& wishes_;
   BuiltScene built_, by_neighbours_;
   View view_;
   std::vector<RayStream> rays_, sampled_;
   std::vector<HitStream> hits_;
-  std::vector<DressedHits> dressed_{rays_.size()};
+  std::unique_ptr<DressedHits> looks_ = std::make_unique<DressedHits>();
   std::optional<SearchJudge> judge_;
   std::vector<std::pair<std::size_t, int>> places_;  // of the sampled rays
   std::unique_ptr<BlockHits> block_ = std::make_unique<BlockHits>();

@@ -22,13 +22,16 @@ struct FinderWay {
   bool precise = false;
 };
 
-/// Seconds a picture on one thread: normals of its hits from gradients and from neighbours; frames by LR,
-/// with shading, with silhouettes blended in and of four samples a pixel.
+/// Seconds a picture on one thread: normals of its hits from gradients, from neighbours and from the frustum
+/// form (with what LR's pass takes longer for them); frames by LR, with shading, with silhouettes blended in
+/// and of four samples a pixel.
 ///
-/// angle  between both kinds of normal, away from edges: median, degrees
-/// hits   whose normals they are
+/// angle, form_angle  between gradients and neighbours' normals, the form's normals, away from edges: median,
+///                    degrees
+/// hits               whose normals they are
 struct ShadingNumbers {
-  double gradients = 0, neighbours = 0, frame = 0, silhouettes = 0, four_samples = 0, angle = 0;
+  double gradients = 0, neighbours = 0, form = 0, frame = 0, silhouettes = 0, four_samples = 0, angle = 0,
+         form_angle = 0;
   std::int64_t hits = 0;
 };
 

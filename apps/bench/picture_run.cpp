@@ -1,6 +1,7 @@
 #include <isocast/apps/bench/pareto.h>
 #include <isocast/apps/bench/picture_reference.h>
 #include <isocast/apps/bench/picture_run.h>
+#include <isocast/base/error.h>
 #include <isocast/base/interrupt.h>
 #include <isocast/base/mapped_file.h>
 
@@ -80,10 +81,23 @@ class Bench {
     clear(hits_);
   }
 
-  // Errors of a setting, and a row to be timed for each instruction set.
+  [[nodiscard]] EvaluationSettings evaluation(Isa isa, bool precise) const {
+    EvaluationSettings evaluation;
+    evaluation.isa = isa;
+    evaluation.double_precision = precise;
+    evaluation.device = options_.device;
+    return evaluation;
+  }
+
+  // Errors of a setting, and a row to be timed for each instruction set, or two for a device.
   void add_rows(const MethodSetting& setting, const std::string& precision) {
     const bool precise = precision == "double";
-    use(setting.method, setting.set, {widest_isa(), precise});
+    try {
+      use(setting.method, setting.set, evaluation(widest_isa(), precise));
+    } catch (const InputError&) {
+      if (options_.device) return;
+      throw;
+    }
     trace_picture(surface(), view_, rays_, hits_);
     std::vector<PixelAnswer> answers = judge_picture(result_.truth, surface(), rays_, hits_);
     Row row;
@@ -94,12 +108,16 @@ class Bench {
     row.setting = setting.text;
     row.proves = setting.proves;
     summarize(answers, row);
-    for (const Isa isa : options_.isas) {
-      if (setting.swept && isa != options_.isas.back()) continue;
-      row.isa = name_of(isa);
+    const auto add_row = [&](std::string_view isa, const EvaluationSettings& way) {
+      row.isa = isa;
       result_.rows.push_back(row);
-      ways_.push_back({&setting, {isa, precise}});
-    }
+      ways_.push_back({&setting, way});
+    };
+    if (options_.device)
+      for (const char* const clock : {"cuda", "cuda-wall"}) add_row(clock, evaluation(widest_isa(), precise));
+    else
+      for (const Isa isa : options_.isas)
+        if (!setting.swept || isa == options_.isas.back()) add_row(name_of(isa), evaluation(isa, precise));
     if (!setting.swept) result_.answers.push_back({setting.method, precision, std::move(answers)});
   }
 
@@ -109,8 +127,11 @@ class Bench {
     const auto prepare = [this](std::size_t i) {
       use(ways_[i].setting->method, ways_[i].setting->set, ways_[i].evaluation);
     };
-    const std::vector<Timing> timings =
-        time_interleaved(candidates, options_.repetitions, Clock::thread, prepare);
+    const auto clock = [this](std::size_t i) -> ReadClock {
+      if (!options_.device) return clock_of(Clock::thread);
+      return result_.rows[i].isa == "cuda" ? options_.device->seconds : clock_of(Clock::wall);
+    };
+    const std::vector<Timing> timings = time_interleaved(candidates, options_.repetitions, clock, prepare);
     for (std::size_t i = 0; i < timings.size(); ++i) set_timing(result_.rows[i], timings[i]);
   }
 

@@ -14,6 +14,9 @@ namespace isocast::bench {
 
 /// chosen      what is run; empty: what `settings` asks for
 /// isas        which are timed; the last is that of the sweeps. Errors are the same on all
+/// device      what is timed instead, if there is one: "cuda" are its kernels, by its own clock, "cuda-wall"
+/// the whole calls,
+///             with transfers. Methods that it lacks are left out
 /// precisions  "float", "double"; the first is that of the sweeps
 /// repetitions of every timed run, in turns
 /// cache       the folder in which the reference's answers are kept; empty: nowhere
@@ -21,6 +24,7 @@ struct PictureOptions {
   SettingWishes settings;
   std::vector<MethodSetting> chosen = {};
   std::vector<Isa> isas = available_isas();
+  std::shared_ptr<const ComputeDevice> device = {};
   std::vector<std::string> precisions = {"float", "double"};
   Repetitions repetitions = {3, 15, 12.0};
   std::filesystem::path cache = {};

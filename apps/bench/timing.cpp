@@ -16,17 +16,30 @@ double seconds_now(Clock clock) {
 
 }  // namespace
 
+ReadClock clock_of(Clock clock) {
+  return [clock] { return seconds_now(clock); };
+}
+
 std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& candidates,
                                      const Repetitions& repetitions, Clock clock,
+                                     const std::function<void(std::size_t)>& prepare) {
+  return time_interleaved(
+      candidates, repetitions, [clock](std::size_t) { return clock_of(clock); }, prepare);
+}
+
+std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& candidates,
+                                     const Repetitions& repetitions,
+                                     const std::function<ReadClock(std::size_t)>& clock,
                                      const std::function<void(std::size_t)>& prepare) {
   std::vector<std::vector<double>> seconds(candidates.size());
   const auto measure_all = [&] {
     for (std::size_t c = 0; c < candidates.size(); ++c) {
       throw_if_interrupted();
       if (prepare) prepare(c);
-      const double start = seconds_now(clock);
+      const ReadClock now = clock(c);
+      const double start = now();
       candidates[c]();
-      seconds[c].push_back(seconds_now(clock) - start);
+      seconds[c].push_back(now() - start);
     }
   };
   const double start = seconds_now(Clock::wall);

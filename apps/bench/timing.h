@@ -17,6 +17,9 @@ struct Timing {
 /// wall: what a user waits. thread: the processor time of the calling thread, for work that has one thread;
 /// what else runs on the machine then counts little.
 enum class Clock { wall, thread };
+/// Seconds since some moment.
+using ReadClock = std::function<double()>;
+[[nodiscard]] ReadClock clock_of(Clock clock);
 
 /// How often every candidate is measured: as often as fits into `seconds` of wall time, by the unmeasured
 /// runs, but `least` to `most` times.
@@ -33,6 +36,11 @@ struct Repetitions {
 [[nodiscard]] std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& candidates,
                                                    const Repetitions& repetitions, Clock clock,
                                                    const std::function<void(std::size_t)>& prepare = {});
+/// The same with a clock for each candidate, by its number.
+[[nodiscard]] std::vector<Timing> time_interleaved(const std::vector<std::function<void()>>& candidates,
+                                                   const Repetitions& repetitions,
+                                                   const std::function<ReadClock(std::size_t)>& clock,
+                                                   const std::function<void(std::size_t)>& prepare);
 
 /// The columns that hold times, of a row whose rays are counted.
 void set_timing(Row& row, const Timing& timing);

@@ -67,6 +67,9 @@ void check(const BenchWords& words) {
     throw InputError(fmt::format("--data: found no folder '{}'", words.data));
   if (s.input == "papers" && !s.isa.empty())
     throw InputError("found --isa with the suite papers, which times what its tables need");
+  if (s.isa == "cuda" && (is_row_suite(s.input) || s.input == "all"))
+    throw InputError(
+        fmt::format("--isa cuda: found the suite {}, expected an INPUT or a suite of pictures", s.input));
   if (!is_suite(s.input)) return;
   const std::pair<const char*, const std::string&> of_inputs[] = {{"--iso", s.iso},
                                                                   {"--domain", s.domain},
@@ -87,7 +90,8 @@ void check(const BenchWords& words) {
 }
 
 std::vector<Isa> isas_of(const BenchWords& words) {
-  return words.scene.isa.empty() ? available_isas() : std::vector{isa_from_name(words.scene.isa)};
+  return words.scene.isa.empty() || words.scene.isa == "cuda" ? available_isas()
+                                                              : std::vector{isa_from_name(words.scene.isa)};
 }
 
 bool has_pictures(const BenchWords& words) {
@@ -102,6 +106,7 @@ std::filesystem::path cache_of(const BenchWords& words) {
 PictureOptions picture_options(const BenchWords& words) {
   PictureOptions options;
   options.isas = isas_of(words);
+  if (words.scene.isa == "cuda") options.device = evaluation_from("cuda", "float").device;
   if (words.scene.method != "auto") options.settings.wanted = split(words.scene.method, ',');
   for (const std::string& word : words.scene.set) options.settings.set.insert(parse_key_value(word, "--set"));
   options.settings.quick = words.quick;

@@ -134,7 +134,7 @@ class FrameRenderer {
     const FrameReport report{built,
                              find_features(built.scene, film, settings_),
                              counts,
-                             std::string(name_of(evaluation_.isa)),
+                             isa_word(evaluation_),
                              words_.precision,
                              threads_,
                              width,

@@ -207,7 +207,7 @@ RenderSettings settings_of(const RenderWords& words, const RenderWishes& wishes)
 }
 
 EvaluationSettings evaluation_of(const RenderWords& words) {
-  return {isa_from_name(words.isa), words.precision == "double", words.precision == "mixed"};
+  return evaluation_from(words.isa, words.precision);
 }
 
 SceneDescription describe_all(const RenderWords& words) {

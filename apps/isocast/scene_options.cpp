@@ -28,7 +28,7 @@ void add_scene_options(CLI::App& verb, RenderWords& w, const char* method) {
   CLI::Option* fov = verb.add_option("--fov", w.fov, "Vertical field of view in degrees (default 45)");
   verb.add_option("--ortho", w.ortho, "Orthographic camera: height of the picture in world units")
       ->excludes(fov);
-  verb.add_option("--isa", w.isa, "auto, scalar, sse4, avx2 or avx512: the same picture with each");
+  verb.add_option("--isa", w.isa, "auto, scalar, sse4, avx2 or avx512: the same picture with each; or cuda, a GPU");
   add_read_options(verb, w.read);
 }
 

@@ -1,12 +1,12 @@
 #include <isocast/base/hash.h>
 #include <isocast/apps/reference/reference_cache.h>
+#include <isocast/base/cache_folder.h>
 #include <isocast/base/error.h>
 #include <isocast/base/interrupt.h>
 #include <isocast/base/output_file.h>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <optional>
@@ -122,16 +122,7 @@ void write(const fs::path& file, const std::string& key, std::span<const RayTrut
 
 }  // namespace
 
-fs::path default_cache_folder() {
-  const auto variable = [](const char* name) {
-    const char* const value = std::getenv(name);
-    return value ? fs::path(value) : fs::path();
-  };
-  if (const fs::path cache = variable("XDG_CACHE_HOME"); cache.is_absolute())
-    return cache / "isocast" / "reference";
-  if (const fs::path home = variable("HOME"); !home.empty()) return home / ".cache" / "isocast" / "reference";
-  return {};
-}
+fs::path default_cache_folder() { return cache_folder("reference"); }
 
 std::vector<RayTruth> solve_all(const RayReference& reference, std::span<const ReferenceRay> rays,
                                 const fs::path& folder) {

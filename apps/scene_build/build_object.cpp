@@ -67,6 +67,18 @@ void check_precision(const Method& method, const EvaluationSettings& settings) {
         fmt::format("--precision mixed: the method {} has only {}", method.name, method.precisions));
 }
 
+void use_evaluation(const EvaluationSettings& evaluation, VolumeSurfaceOptions& options) {
+  options.double_precision = evaluation.double_precision;
+  options.isa = evaluation.isa;
+  options.device = evaluation.device ? evaluation.device->volumes : nullptr;
+}
+void use_evaluation(const EvaluationSettings& evaluation, ImplicitSurfaceOptions& options) {
+  options.double_precision = evaluation.double_precision;
+  options.mixed_precision = evaluation.mixed_precision;
+  options.isa = evaluation.isa;
+  options.device = evaluation.device ? evaluation.device->formulas : nullptr;
+}
+
 // A surface made with these options, which its iso-values and its method may change in later. choose: the
 // row of the method table; adapt: the options to other iso-values, and returns the method's name.
 template <class SurfaceKind, class Options, class Choose, class Adapt>
@@ -86,8 +98,7 @@ void use(ObjectSurface& object, const std::shared_ptr<SurfaceKind>& surface, con
   built.change_method = [=](const std::string& name, const std::map<std::string, std::string>& settings,
                             const EvaluationSettings& evaluation) {
     current->method = choose(name, settings);
-    current->double_precision = evaluation.double_precision;
-    current->isa = evaluation.isa;
+    use_evaluation(evaluation, *current);
     surface->set_options(*current);
   };
 }
@@ -99,8 +110,7 @@ void build(ObjectSurface& object, const VolumeSource& source, const ObjectDescri
   VolumeSurfaceOptions options;
   options.object = context.number;
   options.method = choose_cell_method(wanted.method, wanted.settings);
-  options.double_precision = settings.double_precision;
-  options.isa = settings.isa;
+  use_evaluation(settings, options);
   options.normals = wanted.normals;
   const Method& method = volume_methods()[static_cast<std::size_t>(options.method.method)];
   check_precision(method, settings);
@@ -148,9 +158,7 @@ void build(ObjectSurface& object, const FormulaSource& source, const ObjectDescr
   options.object = context.number;
   const bool automatic = wanted.method == "auto";
   options.method = choose_formula_method(automatic ? "affine" : wanted.method, wanted.settings);
-  options.double_precision = settings.double_precision;
-  options.mixed_precision = settings.mixed_precision;
-  options.isa = settings.isa;
+  use_evaluation(settings, options);
   options.time = source.time;
   options.normals = wanted.normals;
   options.components = wanted.by_component;

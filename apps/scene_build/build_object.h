@@ -1,6 +1,7 @@
 // From the description of one object to its surface: the only place that knows every kind of surface.
 #pragma once
 
+#include <isocast/apps/scene_build/compute_device.h>
 #include <isocast/apps/scene_build/description.h>
 #include <isocast/apps/scene_build/volume_library.h>
 
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace isocast {
-
-/// How the scene is evaluated, the same for all its objects.
-struct EvaluationSettings {
-  Isa isa = widest_isa();
-  bool double_precision = false, mixed_precision = false;
-};
 
 /// An object with what was learnt while it was built.
 ///

@@ -156,7 +156,7 @@ SceneNews SceneKeeper::news() const {
   news.camera = description_.camera;
   for (std::size_t k = 0; k < built_->objects.size(); ++k)
     news.objects.push_back(news_of(built_->objects[k], built_->scene, description_.objects[k]));
-  news.isa = std::string(name_of(evaluation_of(words_).isa));
+  news.isa = isa_word(evaluation_of(words_));
   const auto& volume = built_->objects.front().volume;
   if (volume) news.type = std::string(volume->type_name());
   news.features = built_->features;

@@ -29,6 +29,7 @@ struct DegreeTables {
 /// rounding    how far f as it is evaluated in the block can be from f
 /// slack       what the roundings of a ray's points can change f by
 /// weights     [i][x]: Bernstein values across at the 16 pixel positions of a tile, x + the sample's offset
+/// slopes      what they gain per pixel there; with `normals`, which asks for those of the form at the roots
 /// lines       of the picture; u0, v0: their corner in pixels; s0, s1: its depths
 /// lo, hi      the domain
 /// redo        rays whose roots could not be proved are solved again in the precision of their polynomials
@@ -40,17 +41,20 @@ struct FrustumQuery {
   const double* check_points;
   double lebesgue, rounding, slack;
   double weights_u[kMostFormDegree + 1][16], weights_v[kMostFormDegree + 1][16];
+  double slopes_u[kMostFormDegree + 1][16], slopes_v[kMostFormDegree + 1][16];
   FinderOptions finder;
-  bool redo;
+  bool redo, normals;
   PixelLines lines;
   double u0, v0, s0, s1, offset_u, offset_v;
   double lo[3], hi[3];
 };
 
 /// Roots of a tile's rays in View::fill's order: depth s with its bracket. proved: the hit, or where `hit` is
-/// not set that there is none.
+/// not set that there is none. normal, of hits, where asked for: x and y of the unit normal in world space
+/// with z >= 0; NaN where the form's gradient vanishes.
 struct TileRoots {
   double s[kStreamSize], lo[kStreamSize], hi[kStreamSize];
+  double normal[2][kStreamSize];
   std::uint32_t sides[kStreamSize];
   float steps[kStreamSize];
   std::uint8_t iso[kStreamSize];

@@ -33,6 +33,20 @@ double* scratch_of(std::size_t count) {
   return memory.data() + (64 - address % 64) % 64 / sizeof(double);
 }
 
+// Bernstein values of degree n at the pixels of a tile, and their slopes per pixel.
+using Weights = double[kMostFormDegree + 1][16];
+void fill_weights(int n, double offset, Weights& weights, Weights& slopes) {
+  for (int x = 0; x < 16; ++x) {
+    double values[kMostFormDegree + 1], lower[kMostFormDegree + 1];
+    bernstein_values(n, (x + offset) / 16, values);
+    bernstein_values(n - 1, (x + offset) / 16, lower);
+    for (int i = 0; i <= n; ++i) {
+      weights[i][x] = values[i];
+      slopes[i][x] = n / 16.0 * ((i > 0 ? lower[i - 1] : 0) - (i < n ? lower[i] : 0));
+    }
+  }
+}
+
 // A box that holds all points of a block.
 Box box_of(const FrustumQuery& query) {
   const double pixels = 16 * query.tiles;
@@ -82,6 +96,7 @@ struct Receiver {
       tile.t[i] = t;
       tile.t_lo[i] = std::max(0.0, roots.lo[i] * length - slack);
       tile.t_hi[i] = roots.hi[i] * length + slack;
+      if (options.normals) tile.s[i] = roots.normal[0][i], tile.s_hi[i] = roots.normal[1][i];
       tile.iso[i] = roots.iso[i];
       tile.sides[i] = roots.sides[i];
       tile.object[i] = options.object;
@@ -135,13 +150,9 @@ FrustumQuery FrustumPass::make_query(double offset_u, double offset_v) const {
   query.redo = options_.precision == FrustumPrecision::mixed;
   query.lines = lines_;
   query.offset_u = offset_u, query.offset_v = offset_v;
-  const int n = query.across.degree;
-  for (int x = 0; x < 16; ++x) {
-    double u[kMostFormDegree + 1], v[kMostFormDegree + 1];
-    bernstein_values(n, (x + offset_u) / 16, u);
-    bernstein_values(n, (x + offset_v) / 16, v);
-    for (int i = 0; i <= n; ++i) query.weights_u[i][x] = u[i], query.weights_v[i][x] = v[i];
-  }
+  query.normals = options_.normals;
+  fill_weights(query.across.degree, offset_u, query.weights_u, query.slopes_u);
+  fill_weights(query.across.degree, offset_v, query.weights_v, query.slopes_v);
   return query;
 }
 

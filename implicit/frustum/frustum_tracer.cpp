@@ -7,6 +7,7 @@
 #include <isocast/render/camera.h>
 
 #include <cmath>
+#include <limits>
 
 namespace isocast {
 namespace {
@@ -17,7 +18,16 @@ int parts_of(int degree) { return degree <= kMostFormDegree ? 1 : (degree + 7) /
 // Of the rays' own polynomials.
 int ray_degree(int degree) { return std::clamp(degree, 1, kMostFormDegree); }
 
+// In HitStream::s, where a pass leaves x and in s_hi y of a normal with z >= 0.
+constexpr double kNoNormal = std::numeric_limits<double>::quiet_NaN();
+
 }  // namespace
+
+std::optional<Double3> form_normal(const HitStream& hits, int slot) {
+  const double x = hits.s[slot], y = hits.s_hi[slot];
+  if (!(x == x)) return std::nullopt;
+  return Double3{x, y, std::sqrt(std::max(0.0, 1 - x * x - y * y))};
+}
 
 FrustumTracer::FrustumTracer(const Tape& tape, const Box& domain, const FrustumOptions& options)
     : tape_(tape),
@@ -90,6 +100,7 @@ void FrustumTracer::trace(bool next, const RayStream& rays, HitStream& hits, Tra
       open[i] = false;
       if (!(roots.t[i] < hits.t[i])) continue;
       hits.t[i] = roots.t[i], hits.t_lo[i] = roots.lo[i], hits.t_hi[i] = roots.hi[i];
+      hits.s[i] = kNoNormal;
       hits.iso[i] = roots.iso[i];
       hits.sides[i] = roots.sides[i];
       hits.object[i] = options_.object;

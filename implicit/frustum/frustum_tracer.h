@@ -9,6 +9,7 @@
 #include <isocast/ray/primary_pass.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace isocast {
@@ -18,16 +19,20 @@ class View;
 /// degree     of f in x, y and z, at most kMostPolynomialDegree
 /// finder     its eps is a share of the depth that a block, or a ray on its own, has in the domain
 /// proves     whether hits and misses come with proofs; above degree kMostFormDegree they are undecided then
+/// normals    hits of a pass carry the normals of its form (form_normal)
 struct FrustumOptions {
   int degree = 0;
   std::vector<double> iso;
   double time = 0;
   FinderOptions finder;
   FrustumPrecision precision = FrustumPrecision::single;
-  bool proves = true;
+  bool proves = true, normals = false;
   Isa isa = widest_isa();
   std::uint16_t object = 0;
 };
+
+/// The normal that a hit carries, which may point to either side; nothing where it has none.
+[[nodiscard]] std::optional<Double3> form_normal(const HitStream& hits, int slot);
 
 /// source  Reimers, Seland: Ray casting algebraic surfaces using the frustum form, Computer Graphics Forum
 ///         27(2), 2008. That the form is made block by block, of a degree that suffices there, is divided

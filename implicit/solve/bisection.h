@@ -29,25 +29,26 @@ template <class F, Real R> class Bisection {
   using T = Scalar<R>;
   using G = Gradient<Interval<R>>;
   static constexpr int kPacks = Slots<R>::kPacks;
+  static constexpr bool kPackets = kSlots >= kPacketSize;  // there is room for packets that march together
 
  public:
   /// Bytes for each register of the tape.
   static constexpr std::size_t kRegisterBytes = kPacks * (sizeof(G) > sizeof(F) ? sizeof(G) : sizeof(F));
 
   ISO_HD Bisection(const FormulaQuery<T>& query, const SegmentStream<T>& stream, SegmentRoots<T>& roots,
-                   void* registers)
+                   RayRange range, void* registers)
       : query_(query),
         stream_(stream),
         roots_(roots),
+        range_(range),
         registers_(registers),
-        isos_(query.iso_count),
-        rays_(query, roots),
-        held_(rays_) {}
+        rays_(query, roots) {}
 
-  /// Fills the roots of all active rays.
+  /// Fills the roots of the range's active rays. Packets that march together lie in it whole; of one ray, it
+  /// marches alone.
   ISO_HD void run() {
     run_those_that_march(false);
-    run_those_that_march(true);
+    if constexpr (kPackets) run_those_that_march(true);
   }
 
  private:
@@ -57,25 +58,26 @@ template <class F, Real R> class Bisection {
     return !together_ && ((query_.options.trim && kTrims<F>) || newton);
   }
   ISO_HD R get(Field field, int p) const { return rays_.get(field, p); }
+  ISO_HD HeldOpen<R> held() { return HeldOpen<R>(rays_); }
 
   ISO_HD void run_those_that_march(bool together) {
     together_ = together;
-    next_ = 0;
+    next_ = range_.first;
     for (refill(); rays_.busy != 0; refill()) round();
   }
   // Starts the next ray of the stream, or packet of rays, and tells whether it was one to start.
   ISO_HD bool start(int slot, int rays) {
     bool started = false;
-    for (int l = 0; l < rays && next_ + l < stream_.size; ++l) {
+    for (int l = 0; l < rays && next_ + l < range_.last; ++l) {
       const int i = next_ + l;
-      if (!stream_.active[i] || stream_.together[i / kPacketSize] != together_) continue;
+      if (!stream_.active[i] || (kPackets && stream_.together[i / kPacketSize] != together_)) continue;
       roots_.proved[i] = true;
       roots_.hit[i] = stream_.given[i];
       if (stream_.given[i]) {
         take_given(i);
         continue;
       }
-      rays_.start(stream_, i, slot + l, isos_);
+      rays_.start(stream_, i, slot + l, isos_in(query_));
       started = true;
     }
     next_ += rays;
@@ -89,18 +91,17 @@ template <class F, Real R> class Bisection {
   }
   // Puts rays into free slots: singly, or whole packets.
   ISO_HD void refill() {
-    const int rays = together_ ? kPacketSize : 1;
+    const int rays = kPackets && together_ ? kPacketSize : 1;
     const SlotBits all = (SlotBits(1) << rays) - 1;
-    for (int slot = 0; slot < kSlots && next_ < stream_.size; slot += rays)
-      while (!(rays_.busy >> slot & all) && next_ < stream_.size) start(slot, rays);
-    if (!together_) rays_.close_ranks(isos_);
+    for (int slot = 0; slot < kSlots && next_ < range_.last; slot += rays)
+      while (!(rays_.busy >> slot & all) && next_ < range_.last) start(slot, rays);
+    if (!together_) rays_.close_ranks(isos_in(query_));
   }
 
   // One evaluation for every ray in work.
   ISO_HD void round() {
-    int packs[kPacks], count = 0;
-    for (int p = 0; p < kPacks; ++p)
-      if (any(lanes_of<R>(rays_.busy, p))) packs[count++] = p;
+    int packs[kPacks];
+    const int count = rays_.packs_in_work(packs);
     Part<R> parts[kPacks];
     for (int n = 0; n < count; ++n) propose(packs[n], parts[n]);
     const F* const f = evaluate_over<F>(packs, parts, count,
@@ -114,7 +115,7 @@ template <class F, Real R> class Bisection {
       small[small_count] = packs[n];
       small_parts[small_count++] = parts[n];
     }
-    if (small_count > 0) judge(small, small_parts, small_count);
+    if (small_count > 0) judge(small, small_parts, rays_.some_packs(small_count));
     for (int n = 0, m = 0; n < count; ++n) {
       if (m < small_count && small[m] == packs[n]) parts[n] = small_parts[m++];
       if (any(parts[n].accepted)) report(packs[n], parts[n]);
@@ -154,19 +155,19 @@ template <class F, Real R> class Bisection {
     rays_.add(kRuns, p, part.busy & !nothing, 1);
     part.empty = nothing | out;
     part.finite = (range.lo > R(-kLargest<T>)) & (range.hi < R(kLargest<T>));
-    const Mask<R> behind = part.busy & out & (!nothing) & (!range.empty) & held_.is_open(p);
+    const Mask<R> behind = part.busy & out & (!nothing) & (!range.empty) & held().is_open(p);
     rays_.note_sides(p, part.busy & out & !(nothing | behind), range);
-    const Mask<R> unknown = part.busy & !(part.empty | held_.is_open(p) | lanes_of<R>(rays_.known, p));
+    const Mask<R> unknown = part.busy & !(part.empty | held().is_open(p) | lanes_of<R>(rays_.known, p));
     if (any(unknown)) rays_.note_sides(p, unknown, near_end_of(f));
     take(p,
          query_.options.trim ? find_levels(f, part.lo, part.hi, query_)
                              : find_levels(range, part.lo, part.hi, query_),
          part);
-    if (any(behind)) held_.close(p, part, behind, range, part.lo);
+    if (any(behind)) held().close(p, part, behind, range, part.lo);
     const R delta = R(static_cast<T>(query_.options.delta));
     const Mask<R> flat = part.busy & (!(part.empty | part.accepted)) & (range.hi - range.lo <= delta) &
                          !rays_.at_known_start(p, part.lo);
-    if (any(flat)) held_.leave(p, part, flat);
+    if (any(flat)) held().leave(p, part, flat);
   }
   // Accepts a crossing that is proved and narrow enough, and finds what is to be judged.
   ISO_HD void take(int p, const Levels<R>& levels, Part<R>& part) {
@@ -179,14 +180,14 @@ template <class F, Real R> class Bisection {
     const Mask<R> narrow = part.busy & (!part.empty) & (length <= smallest);
     // trimmed once more where that is worth it: the bracket shrinks quadratically
     const Mask<R> final = (part.hi - part.lo <= smallest) | (length <= smallest * R(T(0x1p-8)));
-    part.accepted = part.proved = narrow & final & levels.alone() & fits & !held_.is_open(p);
+    part.accepted = part.proved = narrow & final & levels.alone() & fits & !held().is_open(p);
     part.root = levels;
     // a start on the surface is no crossing: f has its side already
     const Mask<R> start = narrow & levels.crosses & (!fits) & rays_.at_known_start(p, part.lo);
     part.hi = select(start, max(levels.first_far, part.lo), part.hi);
     part.empty = part.empty | start;
     const Mask<R> rest = part.busy & !(part.empty | part.accepted);
-    part.small = rest & ((part.hi - part.lo <= smallest) | held_.is_open(p));
+    part.small = rest & ((part.hi - part.lo <= smallest) | held().is_open(p));
     if (query_.options.derivative == Derivative::of_all) part.small = rest;
   }
   // One step of the interval Newton method for parts that are neither empty nor small.
@@ -232,23 +233,23 @@ template <class F, Real R> class Bisection {
       rays_.add(kRuns, p, part.small, 2);
       rays_.add(kRuns, p, unknown, 1);
       rays_.add(kJudged, p, part.small & (part.hi - part.lo <= rays_.smallest_part(p)), 1);
-      if (ask_near) rays_.note_sides(p, unknown & !held_.is_open(p), enquiry.at_near(n));
+      if (ask_near) rays_.note_sides(p, unknown & !held().is_open(p), enquiry.at_near(n));
       const Mask<R> enough = get(kJudged, p) > R(T(kMostJudged));
       const Mask<R> last_look = (part.hi - part.lo <= R(kLeast<T>)) | enough;
-      const Mask<R> held = part.small & held_.is_open(p), close_here = held & rays_.sides_known(at_end);
-      part.small = part.small & !held;
+      const Mask<R> open = part.small & held().is_open(p), close_here = open & rays_.sides_known(at_end);
+      part.small = part.small & !open;
       decide(part, slope, rays_.ends_of(p, at_end), last_look, rays_.smallest_part(p));
-      part.stuck = part.stuck | (held & !close_here);
+      part.stuck = part.stuck | (open & !close_here);
       if (any(close_here)) {
         put_lanes<R>(rays_.smooth, p, lanes_of<R>(rays_.smooth, p) & (slope.continuous | !close_here));
         part.hi = select(close_here, part.end, part.hi);
-        held_.close(p, part, close_here, at_end, part.end);
+        held().close(p, part, close_here, at_end, part.end);
       }
       rays_.note_sides(p, part.small & part.empty & !part.doubt, at_end);
       rays_.forget_sides(p, part.doubt & !part.finite);
       part.over = part.doubt & enough;
       rays_.doubt(p, part.doubt);
-      held_.hold(p, part, slope.continuous, enough);
+      held().hold(p, part, slope.continuous, enough);
     }
   }
 
@@ -267,7 +268,7 @@ template <class F, Real R> class Bisection {
     rays_.for_lanes(p, part.accepted, [&](int l, int ray) {
       const int level = static_cast<int>(iso[l]);
       std::uint32_t sides = 0;
-      for (int i = 0; i < isos_; ++i) sides |= (rays_.below[i] >> (p * kWidth<R> + l) & 1) << i;
+      for (int i = 0; i < isos_in(query_); ++i) sides |= (rays_.below[i] >> (p * kWidth<R> + l) & 1) << i;
       if (proved >> l & 1) sides = (sides & ~(1u << level)) | (rises >> l & 1) << level;
       roots_.hit[ray] = true;
       roots_.proved[ray] = roots_.proved[ray] && (proved >> l & 1);
@@ -287,7 +288,7 @@ template <class F, Real R> class Bisection {
       put_lanes<R>(again, packs[n], part.busy & part.again);
     }
     // a packet divides if one of its rays wants to
-    if (together_)
+    if (kPackets && together_)
       for (int slot = 0; slot < kSlots; slot += kPacketSize) {
         const SlotBits packet = rays_.busy & SlotBits(0xffff) << slot;
         const bool wanted = divide & packet, waits = again & packet;
@@ -301,10 +302,10 @@ template <class F, Real R> class Bisection {
       if (!free()) follow_path(p, lanes_of<R>(divide, p), lanes_of<R>(leave, p));
       const Mask<R> end = (get(kBegin, p) >= R(1)) | (get(kK, p) >= R(1));
       const Mask<R> done = part.accepted | part.over | end;
-      const Mask<R> still_open = part.busy & done & held_.is_open(p) & !part.accepted;
+      const Mask<R> still_open = part.busy & done & held().is_open(p) & !part.accepted;
       if (any(still_open)) {
         part.accepted = Mask<R>(false);
-        held_.leave(p, part, still_open);
+        held().leave(p, part, still_open);
         report(p, part);
       }
       const Mask<R> finished = part.busy & done;
@@ -333,7 +334,7 @@ template <class F, Real R> class Bisection {
     const R length = far - part.near, half = R(0.5) * (part.hi - part.lo);
     const R next = max(select(length <= half, length, R(0.5) * length), least);
     // where a side is hidden in small steps, so as not to leap over a dip that shows it
-    const R leap = select(held_.is_open(p), max(R(0.25) * (begin - get(kOpen, p)), least), w + w);
+    const R leap = select(held().is_open(p), max(R(0.25) * (begin - get(kOpen, p)), least), w + w);
     rays_.set(kW, p, select(gone, leap, select(divide, next, w)));
   }
   // Into the near half, or to the next part and up while both halves are done.
@@ -355,11 +356,11 @@ template <class F, Real R> class Bisection {
   const FormulaQuery<T>& query_;
   const SegmentStream<T>& stream_;
   SegmentRoots<T>& roots_;
+  RayRange range_;
   void* registers_;
-  int isos_, next_ = 0;
+  int next_ = 0;
   bool together_ = false;
   Rays<R> rays_;
-  HeldOpen<R> held_;
 };
 
 }  // namespace isocast::inline ISO_ISA

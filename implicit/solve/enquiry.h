@@ -53,6 +53,8 @@ template <Real R> class Enquiry {
  private:
   enum Question { kSlope, kEnd, kNear, kQuestions };
 
+  // Where the lane that asked stands among those of all parts.
+  ISO_HD int place(int lane) const { return kSlots == 1 ? 0 : place_[lane]; }
   ISO_HD R get(int row, int q) const { return load<R>(rows_[row] + q * kW); }
 
   ISO_HD void gather(const Slots<R>& slots, const int* packs, const Part<R>* parts, int count) {
@@ -60,14 +62,13 @@ template <Real R> class Enquiry {
     for (int n = 0; n < count; ++n) {
       T near[kW], end[kW];
       store(near, parts[n].near), store(end, parts[n].end);
-      for (unsigned rest = bits_of(parts[n].small); rest; rest &= rest - 1) {
-        const int l = __builtin_ctz(rest);
+      for_lanes<kW>(bits_of(parts[n].small), [&](int l) {
         for (int row = kEx; row <= kWz; ++row) rows_[row][asked] = slots.field[row][packs[n] * kW + l];
         near_[asked] = near[l], end_[asked] = end[l];
         place_[asked++] = n * kW + l;
-      }
+      });
     }
-    dense_ = (asked + kW - 1) / kW;
+    dense_ = slots.some_packs((asked + kW - 1) / kW);
     for (int l = asked; l < dense_ * kW; ++l) {
       for (int row = kEx; row <= kWz; ++row) rows_[row][l] = rows_[row][asked - 1];
       near_[l] = near_[asked - 1], end_[l] = end_[asked - 1];
@@ -90,8 +91,8 @@ template <Real R> class Enquiry {
     T lo[kW], hi[kW];
     store(lo, y.lo), store(hi, y.hi);
     for (int l = 0; l < kW; ++l) {
-      lo_[question][place_[q * kW + l]] = lo[l];
-      hi_[question][place_[q * kW + l]] = hi[l];
+      lo_[question][place(q * kW + l)] = lo[l];
+      hi_[question][place(q * kW + l)] = hi[l];
     }
     scatter_bits(q, defined_[question], y.defined);
     scatter_bits(q, continuous_[question], y.continuous);
@@ -100,8 +101,8 @@ template <Real R> class Enquiry {
   ISO_HD void scatter_bits(int q, SlotBits& bits, Mask<R> mask) const {
     const unsigned set = bits_of(mask);
     for (int l = 0; l < kW; ++l) {
-      const int place = place_[q * kW + l];
-      bits = (bits & ~(SlotBits(1) << place)) | SlotBits(set >> l & 1) << place;
+      const int at = place(q * kW + l);
+      bits = (bits & ~(SlotBits(1) << at)) | SlotBits(set >> l & 1) << at;
     }
   }
   ISO_HD Interval<R> answer(Question question, int n) const {

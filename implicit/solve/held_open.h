@@ -50,7 +50,7 @@ template <Real R> class HeldOpen {
   ISO_HD void close(int p, Part<R>& part, Mask<R> where, const Interval<R>& f, R s) {
     Mask<R> changes = Mask<R>(false), several = changes, rises = changes;
     R iso = rays_.get(kOpenIso, p);
-    for (int i = 0; i < rays_.query.iso_count; ++i) {
+    for (int i = 0; i < isos_in(rays_.query); ++i) {
       const Mask<R> before = lanes_of<R>(rays_.below[i], p);
       const Mask<R> change = sides_of(f, rays_.query, i).below != before;
       iso = select(change & !changes, R(T(i)), iso);

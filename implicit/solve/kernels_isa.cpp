@@ -19,8 +19,9 @@ template <class Method, class BeamForm, class T> constexpr FormulaSolver<T> solv
   using R = Native<T>;
   FormulaSolver<T> solver = {[](const FormulaQuery<T>& query, const SegmentStream<T>& stream,
                                 SegmentRoots<T>& roots, void* registers) {
-                               Method(query, stream, roots, registers).run();
-                               polish<R>(query, stream, roots, registers);
+                               const RayRange all = {0, stream.size};
+                               Method(query, stream, roots, all, registers).run();
+                               polish<R>(query, stream, roots, all, registers);
                              },
                              nullptr,
                              larger(Method::kRegisterBytes, HitLanes<R>::kPacks * sizeof(Gradient<R>))};

@@ -19,7 +19,7 @@ ISO_HD inline Sides<R> sides_of(const Interval<R>& f, const FormulaQuery<Scalar<
 template <Real R>
 ISO_HD inline Mask<R> leaves_out(const Interval<R>& f, const FormulaQuery<Scalar<R>>& query) {
   Mask<R> out = Mask<R>(true);
-  for (int i = 0; i < query.iso_count; ++i) {
+  for (int i = 0; i < isos_in(query); ++i) {
     const Sides<R> s = sides_of(f, query, i);
     out = out & (s.below | s.above);
   }
@@ -63,7 +63,7 @@ template <Real R>
 ISO_HD inline Levels<R> find_levels(const Interval<R>& f, R lo, R hi, const FormulaQuery<Scalar<R>>& query) {
   Levels<R> levels;
   const Mask<R> no = Mask<R>(false);
-  for (int i = 0; i < query.iso_count; ++i) {
+  for (int i = 0; i < isos_in(query); ++i) {
     const Sides<R> s = sides_of(f, query, i);
     levels.add(!(s.below | s.above | f.empty), i, lo, hi, R(0.5) * (lo + hi), no, no);
   }
@@ -78,7 +78,7 @@ ISO_HD inline Levels<R> find_levels(const AffineForm<R, 1>& f, R lo, R hi,
   using T = Scalar<R>;
   Levels<R> levels;
   const R half = R(0.5) * (hi - lo), middle = lo + half, inverse = R(1) / f.e[0];
-  for (int i = 0; i < query.iso_count; ++i) {
+  for (int i = 0; i < isos_in(query); ++i) {
     const R iso = R(query.iso_lo[i]), c = f.c - iso;
     const R radius = with_roundings(f.r + (R(query.iso_hi[i]) - iso), abs(f.c) + abs(c));
     const R centre = -c * inverse, width = radius * abs(inverse);
@@ -110,7 +110,7 @@ ISO_HD inline Levels<R> find_levels(const NewtonForm<R>& f, R lo, R hi,
   const Mask<R> smooth = f.slope.defined & f.range.continuous;
   const Mask<R> monotone = smooth & ((f.slope.lo > R(0)) | (f.slope.hi < R(0)));
   R second_piece = R(2);
-  for (int i = 0; i < query.iso_count; ++i) {
+  for (int i = 0; i < isos_in(query); ++i) {
     const Interval<R> g = f.at_middle - Interval<R>(R(query.iso_lo[i]), R(query.iso_hi[i]));
     const Interval<R> newton = Interval<R>(m) - g / f.slope;
     const Mask<R> inside = monotone & (newton.lo > lo) & (newton.hi < hi);
@@ -119,7 +119,7 @@ ISO_HD inline Levels<R> find_levels(const NewtonForm<R>& f, R lo, R hi,
     const R least = select(g.lo > R(0), g.lo, select(g.hi < R(0), -g.hi, R(0)));
     const R steepest = max(abs(f.slope.lo), abs(f.slope.hi));
     const R away = down_exact_zero(down_exact_zero(least / steepest));
-    const Mask<R> split = smooth & (!monotone) & (away > R(0)) & Mask<R>(query.iso_count == 1);
+    const Mask<R> split = smooth & (!monotone) & (away > R(0)) & Mask<R>(isos_in(query) == 1);
     const R rounding = R(Scalar<R>(2) * kSpacing<Scalar<R>>);
     const Mask<R> near_piece = split & (m - away + rounding > lo);
     const R from =

@@ -29,36 +29,41 @@ template <bool kTaylor, Real R> class MarchingPoints {
   static constexpr std::size_t kRegisterBytes = kPacks * sizeof(G);
 
   ISO_HD MarchingPoints(const FormulaQuery<T>& query, const SegmentStream<T>& stream, SegmentRoots<T>& roots,
-                        void* registers)
-      : query_(query), stream_(stream), roots_(roots), registers_(registers), isos_(query.iso_count) {}
+                        RayRange range, void* registers)
+      : query_(query),
+        stream_(stream),
+        roots_(roots),
+        range_(range),
+        registers_(registers),
+        next_(range.first) {}
 
   ISO_HD void run() {
     for (refill(); slots_.busy != 0; refill()) round();
     HitLanes<R>::each(
-        query_, stream_, roots_, [](int) { return true; }, [this](HitLanes<R>& hits) { halve(hits); });
+        query_, stream_, roots_, range_, [](int) { return true; },
+        [this](HitLanes<R>& hits) { halve(hits); });
   }
 
  private:
   ISO_HD R get(Field field, int p) const { return slots_.get(field, p); }
 
   ISO_HD void refill() {
-    for (int slot = 0; slot < kSlots && next_ < stream_.size; ++slot)
-      while (!(slots_.busy >> slot & 1) && next_ < stream_.size) {
+    for (int slot = 0; slot < kSlots && next_ < range_.last; ++slot)
+      while (!(slots_.busy >> slot & 1) && next_ < range_.last) {
         const int i = next_++;
         if (!stream_.active[i]) continue;
-        slots_.start(stream_, i, slot, isos_);
+        slots_.start(stream_, i, slot, isos_in(query_));
         slots_.field[kW][slot] = T(0);
         roots_.hit[i] = false;
         roots_.proved[i] = false;
       }
-    slots_.close_ranks(isos_);
+    slots_.close_ranks(isos_in(query_));
   }
 
   // One step of every ray in work; the first one has no length and only looks.
   ISO_HD void round() {
-    int packs[kPacks], count = 0;
-    for (int p = 0; p < kPacks; ++p)
-      if (any(lanes_of<R>(slots_.busy, p))) packs[count++] = p;
+    int packs[kPacks];
+    const int count = slots_.packs_in_work(packs);
     R at[kPacks];
     Sample samples[kPacks];
     for (int n = 0; n < count; ++n) at[n] = min(get(kBegin, packs[n]) + get(kW, packs[n]), R(1));
@@ -102,7 +107,7 @@ template <bool kTaylor, Real R> class MarchingPoints {
   // |f - iso| for the nearest iso-value.
   ISO_HD R distance(R f) const {
     R least = abs(f - R(query_.iso_lo[0]));
-    for (int i = 1; i < isos_; ++i) least = min(abs(f - R(query_.iso_lo[i])), least);
+    for (int i = 1; i < isos_in(query_); ++i) least = min(abs(f - R(query_.iso_lo[i])), least);
     return least;
   }
 
@@ -117,7 +122,7 @@ template <bool kTaylor, Real R> class MarchingPoints {
     const R half = R(0.5) * (at - from) / get(kSmallestPart, p) * R(T(query_.options.step));
     Mask<R> found = Mask<R>(false);
     R level = R(0), nearest = R(0);
-    for (int i = 0; i < isos_; ++i) {
+    for (int i = 0; i < isos_in(query_); ++i) {
       const R iso = R(query_.iso_lo[i]);
       const Mask<R> changes = lanes_of<R>(slots_.below[i], p) != (there.f < iso);
       const Mask<R> taylor = kTaylor ? touches(here, there, half, iso) & !at_start : Mask<R>(false);
@@ -128,7 +133,7 @@ template <bool kTaylor, Real R> class MarchingPoints {
       found = found | root;
     }
     if (any(found)) report(p, found, from, at, level);
-    for (int i = 0; i < isos_; ++i) {
+    for (int i = 0; i < isos_in(query_); ++i) {
       const Mask<R> keep = first & lanes_of<R>(slots_.known, p), mine = lanes_of<R>(slots_.below[i], p);
       put_lanes<R>(slots_.below[i], p, select(keep, mine, there.f < R(query_.iso_lo[i])));
     }
@@ -159,7 +164,7 @@ template <bool kTaylor, Real R> class MarchingPoints {
     store(lo, from), store(hi, to), store(iso, level);
     slots_.for_lanes(p, lanes, [&](int l, int ray) {
       std::uint32_t sides = 0;
-      for (int i = 0; i < isos_; ++i) sides |= (slots_.below[i] >> (p * kWidth<R> + l) & 1) << i;
+      for (int i = 0; i < isos_in(query_); ++i) sides |= (slots_.below[i] >> (p * kWidth<R> + l) & 1) << i;
       roots_.hit[ray] = true;
       roots_.s_lo[ray] = roots_.s[ray] = lo[l];
       roots_.s_hi[ray] = hi[l];
@@ -174,22 +179,22 @@ template <bool kTaylor, Real R> class MarchingPoints {
     const auto sample_hits = [&](Sample* out) {
       if constexpr (kTaylor) {
         const G* const g = hits.template evaluate<G>(query_, registers_);
-        for (int p = 0; p < hits.packs; ++p)
+        for (int p = 0; p < hits.packs(); ++p)
           out[p] = {g[p].value, g[p].dx * hits.d[0][p] + g[p].dy * hits.d[1][p] + g[p].dz * hits.d[2][p]};
       } else {
         const R* const f = hits.template evaluate<R>(query_, registers_);
-        for (int p = 0; p < hits.packs; ++p) out[p] = {f[p], R(0)};
+        for (int p = 0; p < hits.packs(); ++p) out[p] = {f[p], R(0)};
       }
     };
-    for (int p = 0; p < hits.packs; ++p) hits.s[p] = hits.lo[p];
+    for (int p = 0; p < hits.packs(); ++p) hits.s[p] = hits.lo[p];
     sample_hits(ends[0]);
-    for (int p = 0; p < hits.packs; ++p) hits.s[p] = hits.hi[p];
+    for (int p = 0; p < hits.packs(); ++p) hits.s[p] = hits.hi[p];
     sample_hits(ends[1]);
     for (int n = 0;; ++n) {
-      for (int p = 0; p < hits.packs; ++p) hits.s[p] = R(0.5) * (hits.lo[p] + hits.hi[p]);
+      for (int p = 0; p < hits.packs(); ++p) hits.s[p] = R(0.5) * (hits.lo[p] + hits.hi[p]);
       if (n >= query_.options.halvings) break;
       sample_hits(middle);
-      for (int p = 0; p < hits.packs; ++p) {
+      for (int p = 0; p < hits.packs(); ++p) {
         // the far end alone tells the side in front of a start on the surface: it lies behind the root
         const Mask<R> below_far = ends[1][p].f < hits.iso[p], below = middle[p].f < hits.iso[p];
         const Mask<R> crosses = kTaylor ? (ends[0][p].f < hits.iso[p]) != below_far : Mask<R>(true);
@@ -211,8 +216,9 @@ template <bool kTaylor, Real R> class MarchingPoints {
   const FormulaQuery<T>& query_;
   const SegmentStream<T>& stream_;
   SegmentRoots<T>& roots_;
+  RayRange range_;
   void* registers_;
-  int isos_, next_ = 0;
+  int next_;
   Slots<R> slots_;
 };
 

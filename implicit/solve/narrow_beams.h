@@ -55,7 +55,7 @@ ISO_HD inline BeamLevels<R> find_beam_levels(const AffineForm<R, 3>& f, R lo, R 
   along.defined = f.defined, along.continuous = f.continuous, along.empty = f.empty;
   BeamLevels<R> y{find_levels(along, lo, hi, query)};
   R low = R(query.iso_lo[0]), high = R(query.iso_hi[0]);
-  for (int i = 1; i < query.iso_count; ++i) {
+  for (int i = 1; i < isos_in(query); ++i) {
     const Mask<R> mine = y.levels.iso == R(T(i));
     low = select(mine, R(query.iso_lo[i]), low), high = select(mine, R(query.iso_hi[i]), high);
   }

@@ -23,7 +23,7 @@ template <Real R> struct Rays : Slots<R> {
   ISO_HD Ends<R> ends_of(int p, const Interval<R>& at_end) const {
     Ends<R> ends{query, at_end, {}, {}};
     const Mask<R> known_here = lanes_of<R>(known, p);
-    for (int i = 0; i < query.iso_count; ++i) {
+    for (int i = 0; i < isos_in(query); ++i) {
       const Mask<R> under = lanes_of<R>(below[i], p);
       const Sides<R> s = sides_of(at_end, query, i);
       ends.near[i].below = known_here & under;
@@ -36,7 +36,7 @@ template <Real R> struct Rays : Slots<R> {
   /// f is off every iso-value, on known sides.
   ISO_HD Mask<R> sides_known(const Interval<R>& f) const {
     Mask<R> all = f.defined;
-    for (int i = 0; i < query.iso_count; ++i) {
+    for (int i = 0; i < isos_in(query); ++i) {
       const Sides<R> s = sides_of(f, query, i);
       all = all & (s.below | s.above);
     }
@@ -45,14 +45,14 @@ template <Real R> struct Rays : Slots<R> {
   ISO_HD void forget_sides(int p, Mask<R> where) { put_lanes<R>(known, p, lanes_of<R>(known, p) & !where); }
   /// Remembers the sides that f has, in these lanes, where every iso-value is left out.
   ISO_HD void note_sides(int p, Mask<R> where, const Interval<R>& f) {
-    for (int i = 0; i < query.iso_count; ++i)
+    for (int i = 0; i < isos_in(query); ++i)
       put_lanes<R>(below[i], p, select(where, sides_of(f, query, i).below, lanes_of<R>(below[i], p)));
     put_lanes<R>(known, p, select(where, sides_known(f), lanes_of<R>(known, p)));
   }
   /// Whether f < iso where the ray has come to, for an iso-value per lane.
   ISO_HD Mask<R> is_below(int p, R iso) const {
     Mask<R> result = Mask<R>(false);
-    for (int i = 0; i < query.iso_count; ++i) result = result | ((iso == R(T(i))) & lanes_of<R>(below[i], p));
+    for (int i = 0; i < isos_in(query); ++i) result = result | ((iso == R(T(i))) & lanes_of<R>(below[i], p));
     return result;
   }
   ISO_HD Mask<R> at_known_start(int p, R s) const { return lanes_of<R>(carried, p) & (s == get(kStart, p)); }

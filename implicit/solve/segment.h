@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/implicit/expression/instruction.h>
+#include <isocast/isa/isa.h>
 #include <isocast/ray/stream.h>
 
 namespace isocast {
@@ -28,6 +29,11 @@ template <class T> struct alignas(64) SegmentStream {
   bool active[kStreamSize], carried[kStreamSize], given[kStreamSize];
   bool together[kStreamSize / kPacketSize];
   int size;
+};
+
+/// Rays first to last - 1 of a stream.
+struct RayRange {
+  int first, last;
 };
 
 /// What was found on a segment.
@@ -71,5 +77,15 @@ template <class T> struct FormulaQuery {
   double time;
   FormulaOptions options;
 };
+
+/// Iso-values of a query: a number that the compiler knows where kernels are compiled for one formula
+/// (ISO_ISOS).
+template <class T> ISO_HD constexpr int isos_in([[maybe_unused]] const FormulaQuery<T>& query) {
+#ifdef ISO_ISOS
+  return ISO_ISOS;
+#else
+  return query.iso_count;
+#endif
+}
 
 }  // namespace isocast

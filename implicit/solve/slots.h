@@ -2,11 +2,17 @@
 #pragma once
 
 #include <isocast/implicit/solve/segment.h>
+#include <isocast/math/lanes.h>
 #include <isocast/math/rounding.h>
 
 namespace isocast::inline ISO_ISA {
 
+#ifdef ISO_ONE_RAY
+/// A thread of a GPU has one ray in work.
+inline constexpr int kSlots = 1;
+#else
 inline constexpr int kSlots = 64;
+#endif
 /// One bit a slot.
 using SlotBits = std::uint64_t;
 
@@ -67,12 +73,22 @@ template <Real R> struct Slots {
     set(f, p, get(f, p) + select(where, R(T(more)), R(0)));
   }
 
+  /// A number of packs that is not 0: the compiler knows it where there is but one.
+  ISO_HD static constexpr int some_packs(int count) { return kPacks == 1 ? 1 : count; }
+
+  /// The packs that hold a busy lane, one at least.
+  ISO_HD int packs_in_work(int (&packs)[kPacks]) const {
+    packs[0] = 0;
+    int count = 0;
+    if constexpr (kPacks > 1)
+      for (int p = 0; p < kPacks; ++p)
+        if (any(lanes_of<R>(busy, p))) packs[count++] = p;
+    return some_packs(count);
+  }
+
   /// call(lane, ray) for some lanes of a pack.
   template <class Call> ISO_HD void for_lanes(int p, Mask<R> lanes, Call call) const {
-    for (unsigned rest = bits_of(lanes); rest; rest &= rest - 1) {
-      const int l = __builtin_ctz(rest);
-      call(l, ray[p * kWidth<R> + l]);
-    }
+    isocast::for_lanes<kWidth<R>>(bits_of(lanes), [&](int l) { call(l, ray[p * kWidth<R> + l]); });
   }
 
   /// Puts ray i of the stream into a slot.
@@ -115,8 +131,8 @@ template <Real R> struct Slots {
 
   /// Fills the holes among the busy slots from their end.
   ISO_HD void close_ranks(int iso_count) {
-    for (;;) {
-      const int hole = __builtin_ctzll(~busy), last = 63 - __builtin_clzll(busy | 1);
+    for (; kSlots > 1;) {
+      const int hole = lowest_bit(~busy), last = highest_bit(busy | 1);
       if (~busy == 0 || busy == 0 || last / kWidth<R> == hole / kWidth<R> || hole > last) return;
       move(last, hole, iso_count);
     }

@@ -67,7 +67,7 @@ ISO_HD inline void decide(Part<R>& part, const Slope<R>& slope, const Ends<R>& e
   const Mask<R> monotone = d.defined & slope.continuous & ((d.lo > R(0)) | (d.hi < R(0)));
   Levels<R> roots;
   Mask<R> same = Mask<R>(true), hidden = Mask<R>(false);
-  for (int i = 0; i < ends.query.iso_count; ++i) {
+  for (int i = 0; i < isos_in(ends.query); ++i) {
     const Sides<R> a = ends.near[i], b = ends.far[i];
     const Mask<R> rises = a.below & b.above, crosses = rises | (a.above & b.below);
     same = same & ((a.below & b.below) | (a.above & b.above));

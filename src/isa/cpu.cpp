@@ -37,7 +37,8 @@ Isa isa_from_name(std::string_view name) {
   if (name == "auto") return widest_isa();
   if (name == "cuda")
     throw InputError(
-        "instruction set 'cuda': this build has no CUDA part; use auto, scalar, sse4, avx2 or avx512");
+        "instruction set 'cuda' is no processor's: only render, view and bench run on a GPU; expected auto, scalar, sse4, "
+        "avx2 or avx512");
   for (int i = 0; i < kIsaCount; ++i)
     if (name == kNames[i]) {
       if (runs_here(static_cast<Isa>(i))) return static_cast<Isa>(i);

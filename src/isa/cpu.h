@@ -12,7 +12,7 @@ inline constexpr int kIsaCount = 4;
 
 [[nodiscard]] std::string_view name_of(Isa isa);
 /// "scalar" ... "avx512"; "auto" is the widest that runs here. Throws InputError for other words and for sets
-/// that this processor lacks ("cuda" included: this build has none).
+/// that this processor lacks ("cuda" included).
 [[nodiscard]] Isa isa_from_name(std::string_view name);
 [[nodiscard]] bool runs_here(Isa isa);
 /// Those that run here, narrowest first.

@@ -1,7 +1,10 @@
 // Transcendental functions of a Real: SLEEF's deterministic set, the same bits on every instruction set,
-// within 1 ulp.
+// within 1 ulp. On a GPU, its library's.
 #pragma once
 
+#ifdef __CUDACC__
+#include <isocast/math/elementary_device.h>
+#else
 #include <isocast/math/pack.h>
 #include <sleef.h>
 
@@ -65,3 +68,5 @@ ISO_SLEEF_2(atan2)
 #undef ISO_SLEEF_LANES
 
 }  // namespace isocast::inline ISO_ISA
+
+#endif

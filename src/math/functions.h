@@ -1,6 +1,7 @@
 // Functions of a Real that need no library beyond its vocabulary.
 #pragma once
 
+#include <isocast/math/bits.h>
 #include <isocast/math/real.h>
 
 namespace isocast::inline ISO_ISA {
@@ -30,7 +31,7 @@ template <Real R> ISO_HD inline R power(R a, int n) {
   if (n == 0) return R(1);
   const unsigned exponent = n < 0 ? 0u - static_cast<unsigned>(n) : static_cast<unsigned>(n);
   R product = a;
-  for (unsigned bit = (1u << (31 - __builtin_clz(exponent))) >> 1; bit != 0; bit >>= 1) {
+  for (unsigned bit = (1u << highest_bit(exponent)) >> 1; bit != 0; bit >>= 1) {
     product = product * product;
     if (exponent & bit) product = product * a;
   }
@@ -62,8 +63,7 @@ template <Real R> ISO_HD inline R chebyshev(R a, int n) {
 template <class F> ISO_HD inline F chebyshev_by_doubling(const F& a, int n) {
   const F one(1), two(2);
   F low = one, high = a;
-  for (unsigned bit = n > 0 ? 1u << (31 - __builtin_clz(static_cast<unsigned>(n))) : 0u; bit != 0;
-       bit >>= 1) {
+  for (unsigned bit = n > 0 ? 1u << highest_bit(static_cast<unsigned>(n)) : 0u; bit != 0; bit >>= 1) {
     const F odd = two * (low * high) - a;
     if (static_cast<unsigned>(n) & bit) low = odd, high = two * square(high) - one;
     else high = odd, low = two * square(low) - one;

@@ -1,6 +1,7 @@
 // Intervals: squares, integer and real powers, roots.
 #pragma once
 
+#include <isocast/math/bits.h>
 #include <isocast/math/elementary.h>
 #include <isocast/math/interval.h>
 
@@ -15,7 +16,7 @@ template <Real R> ISO_HD inline Interval<R> square(const Interval<R>& a) {
 template <Real R> ISO_HD inline R power_bound(R x, unsigned n, Mask<R> above) {
   const auto product = [above](R a, R b) { return select(above, up(a * b), max(down(a * b), R(0))); };
   R p = x;
-  for (unsigned bit = (1u << (31 - __builtin_clz(n))) >> 1; bit != 0; bit >>= 1) {
+  for (unsigned bit = (1u << highest_bit(n)) >> 1; bit != 0; bit >>= 1) {
     p = product(p, p);
     if (n & bit) p = product(p, x);
   }

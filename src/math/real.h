@@ -56,8 +56,8 @@ ISO_HD inline double ceil(double a) { return __builtin_ceil(a); }
 
 /// The sign bit. Samples minus iso are never -0, and an underflow keeps its sign: so this calls exactly zero
 /// positive and stays consistent where a comparison with 0 would not (design.md, decision 5).
-ISO_HD inline bool negative(float a) { return __builtin_signbitf(a); }
-ISO_HD inline bool negative(double a) { return __builtin_signbit(a); }
+ISO_HD inline bool negative(float a) { return __builtin_bit_cast(std::int32_t, a) < 0; }
+ISO_HD inline bool negative(double a) { return __builtin_bit_cast(std::int64_t, a) < 0; }
 /// Magnitude of a, sign of b.
 ISO_HD inline float copysign(float a, float b) { return __builtin_copysignf(a, b); }
 ISO_HD inline double copysign(double a, double b) { return __builtin_copysign(a, b); }

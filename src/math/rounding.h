@@ -37,12 +37,22 @@ template <Real R> ISO_HD inline R lowered(R x, Scalar<R> spacings, Scalar<R> sma
 template <Real R> ISO_HD inline R down(R x) { return lowered(x, 1, 1); }
 /// The same of a sum, a difference or a square root, which cannot underflow: zero is exact.
 template <Real R> ISO_HD inline R down_exact_zero(R x) { return lowered(x, 1, 0); }
-/// The same of a library function, which is within 1 ulp of the true value's: that is two spacings of x where
-/// a power of two lies between. Overflow proves only half of the largest number: exp and pow of doubles call
+/// What a library function is off by at most, in ulps. SLEEF's functions keep within 1. The CUDA C++
+/// Programming Guide documents at most 4 for floats (8 for pow before version 12) and 2 for doubles, where no
+/// fast form is asked for.
+#ifdef __CUDACC__
+template <class T> inline constexpr T kLibraryUlps = sizeof(T) == 4 ? T(8) : T(2);
+#else
+template <class T> inline constexpr T kLibraryUlps = T(1);
+#endif
+
+/// The same of a library function: an ulp of the true value is two spacings of x where a power of two lies
+/// between. Overflow proves only half of the largest number: exp and pow of doubles call
 /// it up to 2e-6 too early.
 template <Real R> ISO_HD inline R down_library(R x) {
   using T = Scalar<R>;
-  return lowered(select(x > R(kLargest<T>), R(kLargest<T> / T(2)), x), 2, 2);
+  return lowered(select(x > R(kLargest<T>), R(kLargest<T> / T(2)), x), 2 * kLibraryUlps<T>,
+                 2 * kLibraryUlps<T>);
 }
 
 /// A radius, with room for as many roundings of numbers as large as `size`.

@@ -1,6 +1,7 @@
 // Where rays hit, and how sure that is.
 #pragma once
 
+#include <isocast/isa/isa.h>
 #include <isocast/ray/stream.h>
 
 namespace isocast {
@@ -13,9 +14,9 @@ enum class Certificate : std::uint8_t { no_proof, proved_hit, proved_miss, undec
 /// have a meaning.
 ///
 /// t, t_lo, t_hi  ray parameter of the hit and its bracket, in units of the ray's direction
-/// cell, s, s_hi  cell of the hit (volumes; cell[0] of a formula is the component that was hit, where that
-/// was
-///                asked for) and the place in its chord, from which next_hit goes on
+/// cell, s, s_hi  volumes: cell of the hit and the place in its chord, from which next_hit goes on; formulas:
+///                cell[0] is the component that was hit, where that was asked for, and s and s_hi a normal
+///                that the pass knows (form_normal)
 /// sides          bit i set: f < iso i in front of the hit
 /// cost           cells tested and cubics solved, or the evaluations of a formula
 struct alignas(64) HitStream {
@@ -30,7 +31,7 @@ struct alignas(64) HitStream {
 };
 
 /// No hit in any slot.
-inline void clear(HitStream& hits) {
+ISO_HD inline void clear(HitStream& hits) {
   for (int i = 0; i < kStreamSize; ++i) {
     hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = __builtin_inf();
     hits.cost[i] = 0;
@@ -38,9 +39,9 @@ inline void clear(HitStream& hits) {
     hits.certificate[i] = Certificate::no_proof;
   }
 }
-inline bool is_hit(const HitStream& hits, int i) { return hits.t[i] < __builtin_inf(); }
+ISO_HD inline bool is_hit(const HitStream& hits, int i) { return hits.t[i] < __builtin_inf(); }
 /// The slot holds no hit any more.
-inline void forget(HitStream& hits, int i) {
+ISO_HD inline void forget(HitStream& hits, int i) {
   hits.t[i] = __builtin_inf();
   hits.object[i] = kNoObject;
 }
@@ -55,7 +56,7 @@ inline void copy_slot(const HitStream& from, HitStream& to, int i) {
   to.certificate[i] = from.certificate[i];
 }
 /// Behind the hit, bit `iso` of sides has changed, unless the surface was only touched (undecided).
-inline std::uint32_t sides_behind(const HitStream& hits, int slot) {
+ISO_HD inline std::uint32_t sides_behind(const HitStream& hits, int slot) {
   return hits.certificate[slot] == Certificate::undecided ? hits.sides[slot]
                                                           : hits.sides[slot] ^ (1u << hits.iso[slot]);
 }
@@ -63,7 +64,7 @@ inline std::uint32_t sides_behind(const HitStream& hits, int slot) {
 /// Work done, summed over rays.
 struct TraceCounts {
   std::int64_t cells = 0, macrocells = 0, solves = 0, evaluations = 0;
-  TraceCounts& operator+=(const TraceCounts& other) {
+  ISO_HD TraceCounts& operator+=(const TraceCounts& other) {
     cells += other.cells;
     macrocells += other.macrocells;
     solves += other.solves;

@@ -32,8 +32,8 @@ void write_layers(const Frame& frame, const Wave& wave, Film& film, RenderCounts
     counts.misses += all - found;
     return;
   }
-  Material materials[kStreamSize];
-  if (film.has(Layer::albedo)) find_materials(frame, wave, materials);
+  LitSurfaces surfaces;
+  if (film.has(Layer::albedo)) find_surfaces(frame, wave, surfaces);
   for (int i = 0; i < rays.size; ++i) {
     if (!is_ray(rays, i)) continue;
     const std::uint32_t id = rays.id[i];
@@ -53,8 +53,8 @@ void write_layers(const Frame& frame, const Wave& wave, Film& film, RenderCounts
       *film.at(Layer::id, id) = static_cast<float>(1 + frame.first_id[hits.object[i]] + hits.iso[i]);
     if (film.has(Layer::value)) *film.at(Layer::value, id) = static_cast<float>(dressed.value[i]);
     if (film.has(Layer::object)) *film.at(Layer::object, id) = static_cast<float>(1 + hits.object[i]);
-    if (film.has(Layer::albedo)) std::ranges::copy(materials[i].color, film.at(Layer::albedo, id));
     for (int c = 0; c < 3; ++c) {
+      if (film.has(Layer::albedo)) film.at(Layer::albedo, id)[c] = surfaces.color[c][i];
       if (film.has(Layer::normal)) film.at(Layer::normal, id)[c] = static_cast<float>(dressed.normal[c][i]);
       if (film.has(Layer::position))
         film.at(Layer::position, id)[c] = static_cast<float>(dressed.position[c][i]);

@@ -53,22 +53,41 @@ void fill_rays(const RayFrame& frame, int tx, int ty, double offset_u, double of
   }
 }
 
+void store_as_float(float* to, R v) {
+  double lanes[kWidth<R>];
+  store(lanes, v);
+  for (int l = 0; l < kWidth<R>; ++l) to[l] = float(lanes[l]);
+}
+
 void light(const RayStream& rays, const HitStream& hits, const double (&normal)[3][kStreamSize],
-           const double* to_light, double (&facing)[kStreamSize], double (&highlight)[kStreamSize]) {
+           const double* to_light, FallingLight& light) {
   for (int i = 0; i < rays.size; i += kWidth<R>) {
     if (!any(load<R>(hits.t + i) < R(__builtin_inf()))) continue;
-    const Vec3<R> d = unit(Vec3<R>{load<R>(rays.dx + i), load<R>(rays.dy + i), load<R>(rays.dz + i)});
-    const Vec3<R> to_eye = {R(-1) * d.x, R(-1) * d.y, R(-1) * d.z};
-    const Vec3<R> light = to_light ? Vec3<R>{R(to_light[0]), R(to_light[1]), R(to_light[2])} : to_eye;
-    const Incidence<R> on = incidence(
-        Vec3<R>{load<R>(normal[0] + i), load<R>(normal[1] + i), load<R>(normal[2] + i)}, light, to_eye);
-    store(facing + i, on.facing);
-    store(highlight + i, on.highlight);
+    const Vec3<R> d = unit(Vec3<R>{load<R>(rays.dx + i), load<R>(rays.dy + i), load<R>(rays.dz + i)}),
+                  to_eye = {R(-1) * d.x, R(-1) * d.y, R(-1) * d.z},
+                  n = {load<R>(normal[0] + i), load<R>(normal[1] + i), load<R>(normal[2] + i)};
+    const Incidence<R> on =
+        to_light ? incidence(n, Vec3<R>{R(to_light[0]), R(to_light[1]), R(to_light[2])}, to_eye)
+                 : headlight(n, to_eye);
+    store_as_float(light.facing + i, on.facing);
+    store_as_float(light.highlight + i, on.highlight);
+  }
+}
+
+void add_light(const LitSurfaces& surfaces, const FallingLight& light, float strength,
+               const float (&visible)[kStreamSize], int size, float (&colors)[3][kStreamSize]) {
+  using F = Native<float>;
+  for (int i = 0; i < size; i += kWidth<F>) {
+    const F share = F(strength) * load<F>(visible + i), facing = load<F>(light.facing + i),
+            highlight = load<F>(light.highlight + i), specular = load<F>(surfaces.specular + i);
+    for (int c = 0; c < 3; ++c)
+      store(colors[c] + i, load<F>(colors[c] + i) +
+                               share * lit(load<F>(surfaces.color[c] + i), specular, facing, highlight));
   }
 }
 
 }  // namespace
 
-const RenderKernels render_kernel_table = {fill_rays, light};
+const RenderKernels render_kernel_table = {fill_rays, light, add_light};
 
 }  // namespace isocast::inline ISO_ISA

@@ -10,31 +10,37 @@ namespace {
 
 Vec3<double> vec(const Double3& v) { return {v[0], v[1], v[2]}; }
 
-Color lit(const Material& surface, double facing, double highlight) {
-  constexpr float kDiffuse = 0.75f;
-  Color color;
-  for (int c = 0; c < 3; ++c)
-    color[c] = kDiffuse * static_cast<float>(facing) * surface.color[c] +
-               surface.specular * static_cast<float>(highlight);
-  return color;
+constexpr float kAmbient = 0.15f;
+
+bool has_one_material(const Scene& scene) {
+  return scene.objects.size() == 1 && scene.objects.front().materials.size() == 1;
+}
+
+void put(const Material& material, int i, LitSurfaces& surfaces) {
+  for (int c = 0; c < 3; ++c) surfaces.color[c][i] = material.color[c];
+  surfaces.specular[i] = material.specular;
 }
 
 }  // namespace
 
 Color ambient(const Color& surface) {
-  constexpr float kAmbient = 0.15f;
   return {kAmbient * surface[0], kAmbient * surface[1], kAmbient * surface[2]};
 }
 
 Color lit(const Material& surface, const Double3& normal, const Double3& to_light, const Double3& to_eye) {
   const auto [facing, highlight] = incidence(vec(normal), vec(to_light), vec(to_eye));
-  return lit(surface, facing, highlight);
+  Color color;
+  for (int c = 0; c < 3; ++c)
+    color[c] = lit(surface.color[c], surface.specular, static_cast<float>(facing), static_cast<float>(highlight));
+  return color;
 }
 
-void find_materials(const Frame& frame, const Wave& wave, Material (&materials)[kStreamSize]) {
+void find_surfaces(const Frame& frame, const Wave& wave, LitSurfaces& surfaces) {
   const HitStream& hits = *wave.hits;
+  const bool one = has_one_material(frame.scene);
   for (int i = 0; i < wave.rays.size; ++i)
-    if (is_hit(hits, i)) materials[i] = material_of(frame.scene, hits, i);
+    if (one) put(frame.scene.objects.front().materials.front(), i, surfaces);
+    else if (is_hit(hits, i)) put(material_of(frame.scene, hits, i), i, surfaces);
   if (!frame.features.color_fields) return;
 
   std::vector<std::uint16_t> objects;
@@ -53,17 +59,19 @@ void find_materials(const Frame& frame, const Wave& wave, Material (&materials)[
       slots[count++] = i;
     }
     field->find_colors({points, count}, {colors, count});
-    for (std::size_t k = 0; k < count; ++k) materials[slots[k]].color = colors[k];
+    for (std::size_t k = 0; k < count; ++k)
+      for (int c = 0; c < 3; ++c) surfaces.color[c][slots[k]] = colors[k][c];
   }
 }
 
 void shade(const Frame& frame, const Wave& wave, Shadows& shadows, Color (&colors)[kStreamSize],
            RenderCounts& counts) {
-  Material materials[kStreamSize];
-  find_materials(frame, wave, materials);
-  const auto surface = [&](int i) -> const Material& { return materials[i]; };
-  for (int i = 0; i < wave.rays.size; ++i)
-    if (is_hit(*wave.hits, i)) colors[i] = ambient(surface(i).color);
+  const int size = wave.rays.size;
+  LitSurfaces surfaces;
+  find_surfaces(frame, wave, surfaces);
+  float sum[3][kStreamSize];
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < size; ++i) sum[c][i] = kAmbient * surfaces.color[c][i];
 
   const bool around = frame.features.occlusion > 0;
   const std::size_t lights = around ? frame.lights.size() : std::max<std::size_t>(1, frame.lights.size());
@@ -71,24 +79,23 @@ void shade(const Frame& frame, const Wave& wave, Shadows& shadows, Color (&color
   float visible[kStreamSize];
   if (around) {
     shadows.look_around(frame, wave, visible, counts);
-    for (int i = 0; i < wave.rays.size; ++i) {
+    for (int i = 0; i < size; ++i) {
       if (!is_hit(*wave.hits, i)) continue;
-      const Color light = lit(surface(i), 1, 0);
-      for (int c = 0; c < 3; ++c) colors[i][c] = visible[i] * (colors[i][c] + strength * light[c]);
+      for (int c = 0; c < 3; ++c)
+        sum[c][i] = visible[i] * (sum[c][i] + strength * lit(surfaces.color[c][i], 0.0f, 1.0f, 0.0f));
     }
   }
   std::ranges::fill(visible, 1.0f);
-  double facing[kStreamSize], highlight[kStreamSize];
+  FallingLight light;
+  const RenderKernels& kernels = render_kernels();
   for (std::size_t l = 0; l < lights; ++l) {
     if (frame.features.shadows) shadows.trace(frame, wave, frame.lights[l], visible, counts);
     const double* to_light = frame.lights.empty() ? nullptr : frame.lights[l].data();
-    render_kernels().light(wave.rays, *wave.hits, wave.dressed.normal, to_light, facing, highlight);
-    for (int i = 0; i < wave.rays.size; ++i) {
-      if (!is_hit(*wave.hits, i)) continue;
-      const Color light = lit(surface(i), facing[i], highlight[i]);
-      for (int c = 0; c < 3; ++c) colors[i][c] += strength * visible[i] * light[c];
-    }
+    kernels.light(wave.rays, *wave.hits, wave.dressed.normal, to_light, light);
+    kernels.add_light(surfaces, light, strength, visible, size, sum);
   }
+  for (int i = 0; i < size; ++i)
+    if (is_hit(*wave.hits, i)) colors[i] = {sum[0][i], sum[1][i], sum[2][i]};
 }
 
 }  // namespace isocast

@@ -1,6 +1,7 @@
 // From a dressed hit to a colour.
 #pragma once
 
+#include <isocast/render/kernels.h>
 #include <isocast/render/shadows.h>
 
 namespace isocast {
@@ -12,8 +13,8 @@ namespace isocast {
 [[nodiscard]] Color lit(const Material& surface, const Double3& normal, const Double3& to_light,
                         const Double3& to_eye);
 
-/// The materials of a wave's hits, with the colours of their objects' fields where there are some.
-void find_materials(const Frame& frame, const Wave& wave, Material (&materials)[kStreamSize]);
+/// Those of a wave's hits, with the colours of their objects' fields where there are some.
+void find_surfaces(const Frame& frame, const Wave& wave, LitSurfaces& surfaces);
 
 /// The colour of every hit of a wave, without what it mirrors. n lights have 1/n of the strength each, so
 /// that they never overexpose together; without lights a headlight shines along every ray. Ambient occlusion

@@ -99,7 +99,6 @@ expect 2 "No such file" render none.json -o a.png
 
 expect 2 "midpoint, linear, neubauer, schwarze, marmitt" render tangle.nrrd -o a.png --method newton
 expect 2 "no option 'eps'" render tangle.nrrd -o a.png --set eps=1
-expect 2 "no CUDA part" render tangle.nrrd -o a.png --isa cuda
 expect 2 "WIDTHxHEIGHT" render tangle.nrrd -o a.png --size 0x0
 expect 2 "formula:1:5" render "x^2+" -o a.png
 expect 2 "parameter" render @sphere --param none=1 -o a.png

@@ -65,7 +65,7 @@ std::unique_ptr<Streams> random_streams(std::mt19937_64& random, const Domain& b
 }
 
 // One ray of one method: whether its proof agrees with the roots, which go as far as the first.
-void check(Row& row, const HitStream& hits, int i, const RayRange& range, const FormulaRoots& roots) {
+void check(Row& row, const HitStream& hits, int i, const Reach& range, const FormulaRoots& roots) {
   const Certificate certificate = hits.certificate[i];
   row.aimed += is_aimed(i);
   if (certificate == Certificate::undecided) {
@@ -108,7 +108,7 @@ void check_formula(const Expression& expression, const Domain& domain, const cha
   options.max_operations = operations;
   for (int i = 0; i < s->rays.size; ++i) {
     const Double3 o = origin_of(s->rays, i), d = {s->rays.dx[i], s->rays.dy[i], s->rays.dz[i]};
-    const RayRange range = range_inside(box, o, d);
+    const Reach range = range_inside(box, o, d);
     if (range.empty()) continue;
     const FormulaRoots roots = reference.solve(o, d, range.lo, range.hi, options);
     for (std::size_t r = 0; r < into.size(); ++r) {

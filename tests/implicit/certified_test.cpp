@@ -117,7 +117,7 @@ TEST_CASE("certified pictures of the catalogue agree with the reference", "[prop
             for (int i = 0; i < rays.size; ++i) {
               if (!is_ray(rays, i) || hits.certificate[i] == Certificate::undecided) continue;
               const Double3 o = origin_of(rays, i), d = direction_of(rays, i);
-              const RayRange range = range_inside(box, o, d);
+              const Reach range = range_inside(box, o, d);
               if (range.empty()) {
                 REQUIRE_FALSE(is_hit(hits, i));
                 continue;

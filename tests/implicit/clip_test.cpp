@@ -99,7 +99,7 @@ TEST_CASE("clipped crossings are the reference's that lie in the solid, in order
     bool known[kStreamSize] = {};
     for (int i = 0; i < rays.size; ++i) {
       const Double3 o = origin_of(rays, i), d = direction_of(rays, i);
-      const RayRange range = range_inside(surface.bounds(), o, d);
+      const Reach range = range_inside(surface.bounds(), o, d);
       if (!is_ray(rays, i) || range.empty()) continue;
       const reference::FormulaRoots roots = truth.solve(o, d, range.lo, range.hi);
       known[i] = roots.decided();

@@ -15,12 +15,12 @@ inline Double3 origin_of(const RayStream& rays, int i) { return {rays.ox[i], ray
 
 /// The part [lo, hi] of a ray from t = 0 that lies inside a box, less a few ulp at both ends: what different
 /// roundings of them can make. Empty where lo >= hi.
-struct RayRange {
+struct Reach {
   double lo, hi;
   [[nodiscard]] bool empty() const { return !(lo < hi); }
   [[nodiscard]] bool holds(double begin, double end) const { return begin > lo && end < hi; }
 };
-inline RayRange range_inside(const Box& box, const Double3& o, const Double3& d) {
+inline Reach range_inside(const Box& box, const Double3& o, const Double3& d) {
   double lo = 0, hi = std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < 3; ++a) {
     const double t0 = (box.lo[a] - o[a]) / d[a], t1 = (box.hi[a] - o[a]) / d[a];

@@ -71,7 +71,7 @@ ImplicitSurface surface_of(const Expression& expression, const Domain& domain, c
 }
 
 // One pixel of a method that proves: its hit is the first root, within eps; its miss is one.
-void check_proof(const HitStream& hits, int i, const RayRange& range, const FormulaRoots& truth, double eps) {
+void check_proof(const HitStream& hits, int i, const Reach& range, const FormulaRoots& truth, double eps) {
   const bool found = !truth.roots.empty();
   if (hits.certificate[i] == Certificate::proved_miss) {
     REQUIRE_FALSE(found);
@@ -109,7 +109,7 @@ void check_picture(const CatalogueSurface& surface, int size) {
     for (std::size_t k = 0; k < hits.size(); ++k) hits[k] = first_hits(surfaces[k], rays);
     for (int i = 0; i < rays.size; ++i) {
       const Double3 o = origin_of(rays, i), d = direction_of(rays, i);
-      const RayRange range = range_inside(box, o, d);
+      const Reach range = range_inside(box, o, d);
       if (!is_ray(rays, i) || range.empty()) {
         for (const HitStream& hit : hits) REQUIRE(hit.t[i] == kInfinity);
         continue;

@@ -83,7 +83,7 @@ class ShadowPicture {
 
  private:
   [[nodiscard]] FormulaRoots roots_along(const Double3& o, const Double3& d, std::size_t most) const {
-    const RayRange range = range_inside(box_, o, d);
+    const Reach range = range_inside(box_, o, d);
     reference::ReferenceOptions options;
     options.max_roots = most;
     options.width = 1e-14;

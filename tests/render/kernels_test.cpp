@@ -55,7 +55,8 @@ TEST_CASE(
   clear(*hits);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> number(-1, 1);
-  double normal[3][kStreamSize], facing[kStreamSize], highlight[kStreamSize];
+  double normal[3][kStreamSize];
+  const auto falling = std::make_unique<FallingLight>();
   for (int i = 0; i < kStreamSize; ++i) {
     if (random() % 3) hits->t[i] = 1;
     for (auto& component : normal)
@@ -65,19 +66,19 @@ TEST_CASE(
   for (const double* to_light : {light, static_cast<const double*>(nullptr)})
     for (const Isa isa : available_isas()) {
       INFO(name_of(isa));
-      render_kernels(isa).light(*rays, *hits, normal, to_light, facing, highlight);
+      render_kernels(isa).light(*rays, *hits, normal, to_light, *falling);
       for (int i = 0; i < kStreamSize; ++i) {
         if (!is_hit(*hits, i)) continue;
         const Vec3<double> d = unit(Vec3<double>{rays->dx[i], rays->dy[i], rays->dz[i]}),
-                           eye = {-1 * d.x, -1 * d.y, -1 * d.z},
-                           towards = to_light ? Vec3<double>{light[0], light[1], light[2]} : eye;
-        const auto expected = incidence(Vec3<double>{normal[0][i], normal[1][i], normal[2][i]}, towards, eye);
+                           eye = {-1 * d.x, -1 * d.y, -1 * d.z}, towards = {light[0], light[1], light[2]},
+                           n = {normal[0][i], normal[1][i], normal[2][i]};
+        const auto expected = to_light ? incidence(n, towards, eye) : headlight(n, eye);
         if (std::isnan(expected.facing)) {
-          CHECK(std::isnan(facing[i]));
+          CHECK(std::isnan(falling->facing[i]));
           continue;
         }
-        CHECK(same(expected.facing, facing[i]));
-        CHECK(same(expected.highlight, highlight[i]));
+        CHECK(same(static_cast<float>(expected.facing), falling->facing[i]));
+        CHECK(same(static_cast<float>(expected.highlight), falling->highlight[i]));
       }
     }
 }

@@ -52,20 +52,21 @@ template <class Blocks, class Enter>
 std::vector<Visit> walk_cells(const GridRay& ray, double t_min, double t_max, Enter enter) {
   std::vector<Visit> visits;
   typename TestGrid<Blocks>::Walk walk;
-  if (!enter_grid(ray, Blocks::kShifts[0], TestGrid<Blocks>().whole, t_min, t_max, walk)) return visits;
-  for (;;) {
-    bool found;
-    if (walk.depth == walk.kCells) {
-      found = walk_level(ray, walk, false, [&](const std::int32_t(&c)[3]) {
+  if (!enter_grid(ray, Blocks::kShifts, TestGrid<Blocks>().whole, t_min, t_max, walk)) return visits;
+  const auto step = [&](auto level) {
+    if constexpr (level == TestGrid<Blocks>::Walk::kCells) {
+      walk_level<level>(ray, Blocks::kShifts, walk, false, [&](const std::int32_t(&c)[3]) {
         visits.push_back({{c[0], c[1], c[2]}, walk.t_in, 0});
         return false;
       });
-    } else {
-      found = walk_level(ray, walk, false, [&](const std::int32_t(&b)[3]) { return enter(walk.depth, b); });
+    } else if (walk_level<level>(ray, Blocks::kShifts, walk, false,
+                                 [&](const std::int32_t(&b)[3]) { return enter(level, b); })) {
+      descend<level>(ray, Blocks::kShifts, walk);
+      return true;
     }
-    if (found) descend(ray, Blocks::kShifts[walk.depth], Blocks::kShifts[walk.depth + 1], walk);
-    else if (!ascend(ray, walk)) break;
-  }
+    return ascend<level>(ray, Blocks::kShifts, walk);
+  };
+  while (at_index<TestGrid<Blocks>::kLevels>(walk.depth, step)) {}
   for (Visit& v : visits) {  // exits by the one expression for planes
     v.t_out = kInfinity;
     for (int a = 0; a < 3; ++a)
@@ -239,13 +240,14 @@ TEMPLATE_TEST_CASE("a walk resumed in a cell has the state of the walk that came
     const GridRay grid = grid_ray<TestType>(ray);
     for (const Visit& v : walk_all<TestType>(grid, 0, ray.t_max)) {
       typename TestGrid<TestType>::Walk walk;
-      if (!enter_grid(grid, TestType::kShifts[0], TestGrid<TestType>().whole, 0, ray.t_max, walk)) continue;
+      if (!enter_grid(grid, TestType::kShifts, TestGrid<TestType>().whole, 0, ray.t_max, walk)) continue;
       const std::int32_t cell[3] = {v.cell[0], v.cell[1], v.cell[2]};
       resume_in_cell(grid, TestType::kShifts, cell, 0, walk);
       REQUIRE(walk.t_in == v.t_in);
       REQUIRE(walk.t_out() == v.t_out);
       // and goes on alike: leave the cell, reach the next
-      const bool stays = walk_level(grid, walk, true, [](const std::int32_t(&)[3]) { return true; });
+      const bool stays = walk_level<TestGrid<TestType>::Walk::kCells>(
+          grid, TestType::kShifts, walk, true, [](const std::int32_t(&)[3]) { return true; });
       if (stays) REQUIRE(walk.t_in == v.t_out);
     }
   }
@@ -264,6 +266,6 @@ TEMPLATE_TEST_CASE("rays that cannot meet the grid do not enter it", "", DenseBl
     const GridRay ray = grid_ray<TestType>(
         {{o[0] + TestType::kFirst[0], o[1] + TestType::kFirst[1], o[2] + TestType::kFirst[2]}, d, kInfinity});
     INFO(o[0] << " " << d[0]);
-    CHECK_FALSE(enter_grid(ray, TestType::kShifts[0], TestGrid<TestType>().whole, 0, kInfinity, walk));
+    CHECK_FALSE(enter_grid(ray, TestType::kShifts, TestGrid<TestType>().whole, 0, kInfinity, walk));
   }
 }

@@ -1,9 +1,13 @@
-// Sixteen rays in sixteen cells, and what was found: the plain data that cell kernels read and write.
+// Sixteen rays in sixteen cells (or one in one), and what was found: the plain data that cell kernels read
+// and write.
 #pragma once
 
 #include <isocast/ray/stream.h>
 
 namespace isocast {
+
+/// Packets are aligned for registers; one lane is numbers.
+template <class T, int N> inline constexpr std::size_t kPacketAlignment = N == 1 ? alignof(T) : 64;
 
 /// One cell and one chord of it a lane, in structure of arrays.
 ///
@@ -13,10 +17,10 @@ namespace isocast {
 /// (begin, 1]; 0 for the whole chord carry   +0 or -0 to carry a known sign of f at `begin`, NaN to evaluate
 /// it slack   of methods that prove: entry and exit may truly lie so far from where they are, per axis
 /// active  bit l set: lane l holds a cell
-template <class T> struct alignas(64) CellPacket {
-  T f[8][kPacketSize];
-  T entry[3][kPacketSize], exit[3][kPacketSize];
-  T begin[kPacketSize], carry[kPacketSize], slack[kPacketSize];
+template <class T, int N = kPacketSize> struct alignas(kPacketAlignment<T, N>) CellPacket {
+  T f[8][N];
+  T entry[3][N], exit[3][N];
+  T begin[N], carry[N], slack[N];
   std::uint32_t active;
 };
 
@@ -25,8 +29,8 @@ template <class T> struct alignas(64) CellPacket {
 /// proved     all lanes of which it is: there is no root, or none before s_lo and one between s_lo and s_hi
 /// undecided  of these, roots without a change of sign (touch=1)
 /// sign       bit l set: f is negative behind the root
-template <class T> struct alignas(64) RootPacket {
-  T s[kPacketSize], s_lo[kPacketSize], s_hi[kPacketSize];
+template <class T, int N = kPacketSize> struct alignas(kPacketAlignment<T, N>) RootPacket {
+  T s[N], s_lo[N], s_hi[N];
   std::uint32_t hit, undecided, sign, proved;
 };
 

@@ -1,5 +1,5 @@
-#include <isocast/volume/dense_grid.h>
 #include <isocast/volume/bricks/brick_mask.h>
+#include <isocast/volume/dense_grid.h>
 #include <isocast/volume/primary/bricks_in_view.h>
 
 #include <algorithm>
@@ -43,6 +43,7 @@ ScreenMap screen_map(const RayFrame& frame, const Transform& world_from_grid,
   for (const double y : {-1.0, 1.0})
     for (const double z : {-1.0, 1.0})
       map.cell_radius = std::max(map.cell_radius, 0.5 * length(world_from_grid.vector({1, y, z})));
+  map.unit = inverse_power_of_two(map.cell_radius);
   return map;
 }
 

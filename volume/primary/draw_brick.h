@@ -2,7 +2,7 @@
 #pragma once
 
 #include <isocast/volume/primary/footprints.h>
-#include <isocast/volume/primary/windows.h>
+#include <isocast/volume/primary/pairs.h>
 
 namespace isocast::inline ISO_ISA {
 
@@ -20,15 +20,20 @@ struct DrawContext {
   PixelBox clip;
 };
 
-/// Some of a cube's boxes in the order in which they are drawn: their first cells, their numbers in the cube,
-/// their pixels and nearest_t.
+/// Some of a cube's boxes in the order in which they are drawn: their numbers in the cube, their pixels and
+/// nearest_t. Room for a register behind the last.
 struct BoxList {
-  std::int32_t first[kCubeBoxes][3];
-  int number[kCubeBoxes];
-  PixelBox pixels[kCubeBoxes];
-  float nearest[kCubeBoxes];  // no ray meets the box before this t
+  static constexpr int kRoom = kCubeBoxes + kWidth<Native<float>>;
+  std::int32_t number[kRoom], x_lo[kRoom], x_hi[kRoom], y_lo[kRoom], y_hi[kRoom];
+  float nearest[kRoom];  // no ray meets the box before this t
   int size = 0;
 };
+inline PixelBox pixels_of(const BoxList& list, int i) {
+  return {list.x_lo[i], list.x_hi[i], list.y_lo[i], list.y_hi[i]};
+}
+
+/// Where a box of a cube begins along an axis, in boxes.
+template <class V> inline V place_in_cube(V number, int axis) { return number >> 2 * axis & 3; }
 
 /// Bits in the order of their numbers exclusive-ored with `flip`: x, y and z are either reversed or not.
 inline std::uint64_t flipped(std::uint64_t bits, int flip) {
@@ -55,83 +60,78 @@ inline void list_boxes(const DrawContext& context, std::uint64_t bits, const std
                        int size, int flip, BoxList& list) {
   using R = Native<float>;
   const PatchMap& map = context.patch_map;
-  const int count = __builtin_popcountll(bits);
-  float centers[3][kCubeBoxes];
-  int n = 0;
-  for (std::uint64_t rest = flipped(bits, flip); rest; rest &= rest - 1, ++n) {
-    const int number = __builtin_ctzll(rest) ^ flip;
-    list.number[n] = number;
-    centers[0][n] = float(size) * (float(number & 3) + 0.5f);
-    centers[1][n] = float(size) * (float(number >> 2 & 3) + 0.5f);
-    centers[2][n] = float(size) * (float(number >> 4) + 0.5f);
-  }
+  const PixelBox& clip = context.clip;
+  std::int32_t numbers[BoxList::kRoom];
+  const int count = put_numbers(numbers, flipped(bits, flip), flip);
   const double corner[3] = {double(first[0]), double(first[1]), double(first[2])};
-  float base[3], eye[3], spans[4][kCubeBoxes], nearest[kCubeBoxes];  // spans: x from, to; y from, to
+  float base[3], eye[3];
   for (int r = 0; r < 3; ++r) {
     base[r] = float(apply(map.h[r], corner));
-    eye[r] = float(apply(context.map.to_eye[r], corner));
+    eye[r] = float(apply(map.to_eye[r], corner));
   }
-  const R radius = R(float(size * context.map.cell_radius));
-  const PixelBox& clip = context.clip;
-  std::uint64_t whole = 0;
+  const R radius = R(float(size) * map.radius);
+  int n = 0;
   for (int i = 0; i < count; i += kWidth<R>) {
-    const R x = load<R>(centers[0] + i), y = load<R>(centers[1] + i), z = load<R>(centers[2] + i);
-    R at[3], from_eye[3];
+    const Ints<R> number = load_ints<R>(numbers + i);
+    R center[3], at[3], from_eye[3];
+    for (int a = 0; a < 3; ++a) center[a] = R(float(size)) * (to_real<R>(place_in_cube(number, a)) + R(0.5f));
     for (int r = 0; r < 3; ++r) {
-      at[r] = R(base[r]) + R(map.linear[r][0]) * x + R(map.linear[r][1]) * y + R(map.linear[r][2]) * z;
-      from_eye[r] = R(eye[r]) + R(map.eye[r][0]) * x + R(map.eye[r][1]) * y + R(map.eye[r][2]) * z;
+      at[r] = R(base[r]);
+      from_eye[r] = R(eye[r]);
+      for (int a = 0; a < 3; ++a) {
+        at[r] = at[r] + R(map.linear[r][a]) * center[a];
+        from_eye[r] = from_eye[r] + R(map.eye[r][a]) * center[a];
+      }
     }
-    store(nearest + i, nearest_t(context.map.orthographic, from_eye, radius));
     const Footprint<R> f = footprint(map.linear, at[0], at[1], at[2], float(size));
-    store(spans[0] + i, first_pixel(f.u, f.du, clip.x_lo, clip.x_hi));
-    store(spans[1] + i, last_pixel(f.u, f.du, clip.x_lo, clip.x_hi));
-    store(spans[2] + i, first_pixel(f.v, f.dv, clip.y_lo, clip.y_hi));
-    store(spans[3] + i, last_pixel(f.v, f.dv, clip.y_lo, clip.y_hi));
-    whole |= std::uint64_t(bits_of(f.whole)) << i;
-  }
-  list.size = 0;
-  for (int i = 0; i < count; ++i) {
-    const int number = list.number[i];
-    PixelBox pixels = {int(spans[0][i]), int(spans[1][i]), int(spans[2][i]), int(spans[3][i])};
-    std::int32_t(&at)[3] = list.first[list.size];
-    at[0] = first[0] + size * (number & 3);
-    at[1] = first[1] + size * (number >> 2 & 3);
-    at[2] = first[2] + size * (number >> 4);
-    if (whole >> i & 1) {
-      const double center[3] = {at[0] + 0.5 * size, at[1] + 0.5 * size, at[2] + 0.5 * size};
-      if (!may_meet(map, context.patch, center, size)) continue;
-      pixels = clip;
+    const R x_lo = select(f.whole, R(float(clip.x_lo)), first_pixel(f.u, f.du, clip.x_lo, clip.x_hi)),
+            x_hi = select(f.whole, R(float(clip.x_hi)), last_pixel(f.u, f.du, clip.x_lo, clip.x_hi)),
+            y_lo = select(f.whole, R(float(clip.y_lo)), first_pixel(f.v, f.dv, clip.y_lo, clip.y_hi)),
+            y_hi = select(f.whole, R(float(clip.y_hi)), last_pixel(f.v, f.dv, clip.y_lo, clip.y_hi));
+    unsigned kept = bits_of((x_lo <= x_hi) & (y_lo <= y_hi));
+    if (count - i < kWidth<R>) kept &= (1u << (count - i)) - 1;
+    for (unsigned rest = bits_of(f.whole) & kept; rest; rest &= rest - 1) {
+      const int l = __builtin_ctz(rest);
+      double middle[3];
+      for (int a = 0; a < 3; ++a) middle[a] = first[a] + size * (place_in_cube(numbers[i + l], a) + 0.5);
+      if (!may_meet(map, context.patch, middle, size)) kept &= ~(1u << l);
     }
-    list.number[list.size] = number;
-    list.pixels[list.size] = pixels;
-    list.nearest[list.size] = nearest[i];
-    list.size += !is_empty(pixels);
+    put_ints(list.number + n, number, kept);
+    put_ints(list.x_lo + n, to_ints(x_lo), kept);
+    put_ints(list.x_hi + n, to_ints(x_hi), kept);
+    put_ints(list.y_lo + n, to_ints(y_lo), kept);
+    put_ints(list.y_hi + n, to_ints(y_hi), kept);
+    put_reals(list.nearest + n, nearest_t(context.map.orthographic, from_eye, radius), kept);
+    n += __builtin_popcount(kept);
   }
+  list.size = n;
 }
 
-/// Drops those whose rays have all met something nearer.
-inline void drop_covered(const PatchState& patch, BoxList& list) {
-  int kept = 0;
-  for (int i = 0; i < list.size; ++i) {
-    if (covered(patch, list.pixels[i], double(list.nearest[i]))) continue;
-    for (int a = 0; a < 3; ++a) list.first[kept][a] = list.first[i][a];
-    list.pixels[kept++] = list.pixels[i];
-  }
-  list.size = kept;
-}
-
-/// Queues all rays that cross a cell, window by window.
+/// Queues the rays of a box of pixels that may cross a cell, window by window. The cell is fetched when the
+/// first is found.
 template <class T, bool kOrthographic>
-inline void draw_cell(const DrawContext& context, const CellToDraw<T>& cell, const PixelBox& pixels) {
-  using R = Native<double>;
+inline void draw_cell(const DrawContext& context, const std::int32_t (&at)[3], const PixelBox& pixels) {
+  using R = Native<float>;
+  PatchState& patch = context.patch;
+  PairQueue& queue = patch.queue;
+  const QuickCell quick = quick_cell<kOrthographic>(patch.look, at);
+  int slot = -1;
   for (int y = pixels.y_lo; y <= pixels.y_hi; y += kRows<R>)
     for (int x = pixels.x_lo; x <= pixels.x_hi; x += kColumns<R>) {
-      const int columns = pixels.x_hi - x + 1;
-      unsigned lanes = columns < kColumns<R> ? (1u << columns) - 1 : (1u << kColumns<R>)-1;
-      if (kRows < R >> 1 && y < pixels.y_hi) lanes |= lanes << kColumns<R>;
-      queue_window<T, kOrthographic>(cell, y * kPatchPitch + x, lanes, context.patch);
-      if (pairs_of(context.patch, T{}).size >= kPacketSize)
-        solve_pairs<T>(context.query, context.patch, context.counts);
+      const int ray = y * kPatchPitch + x;
+      const unsigned bits = rays_across<kOrthographic>(patch, quick, ray) & window_lanes<R>(pixels, x, y);
+      if (bits == 0) continue;
+      if (slot < 0) {
+        T f[1][8];
+        FetchedCell state;
+        fetch_cells(context.query, context.iso, &at, 1, f, &state);
+        if (state == FetchedCell::none) return;
+        slot = keep_cell(at, context.iso, state, f[0], cells_of(patch, T{}));
+      }
+      put_ints(queue.ray + queue.size, rays_from<R>(ray), bits);
+      for (int l = 0; l < kWidth<R>; ++l) queue.cell[queue.size + l] = slot;
+      queue.size += __builtin_popcount(bits);
+      if (queue.size >= kPacketSize) solve_pairs<T, kOrthographic>(context.query, patch, context.counts);
     }
 }
 
@@ -141,16 +141,10 @@ inline void draw_block(const DrawContext& context, std::uint64_t bits, const std
   BoxList cells;
   list_boxes(context, bits, first, 1, flip, cells);
   context.counts.cells += __builtin_popcountll(bits);
-  drop_covered(context.patch, cells);
-  if (cells.size == 0) return;
-  T f[kCubeBoxes][8];
-  FetchedCell states[kCubeBoxes];
-  fetch_cells(context.query, context.iso, cells.first, cells.size, f, states);
   for (int i = 0; i < cells.size; ++i) {
-    if (states[i] == FetchedCell::none) continue;
-    const std::int32_t(&at)[3] = cells.first[i];
-    draw_cell<T, kOrthographic>(context, {{at[0], at[1], at[2]}, context.iso, states[i], f[i]},
-                                cells.pixels[i]);
+    std::int32_t at[3];
+    for (int a = 0; a < 3; ++a) at[a] = first[a] + place_in_cube(cells.number[i], a);
+    draw_cell<T, kOrthographic>(context, at, pixels_of(cells, i));
   }
 }
 
@@ -167,10 +161,11 @@ inline void draw_brick(const DrawContext& context, const std::int32_t (&first)[3
   list_boxes(context, mask.blocks, first, kBlock, flip, blocks);
   context.counts.macrocells += __builtin_popcountll(mask.blocks);
   for (int i = 0; i < blocks.size; ++i) {
-    const std::int32_t(&at)[3] = blocks.first[i];
-    if (i + 1 < blocks.size) prefetch_block(context.query, blocks.first[i + 1]);
-    if (!hidden(context.patch, blocks.pixels[i], double(blocks.nearest[i])))
-      draw_block<T, kOrthographic>(context, mask.cells[blocks.number[i]], at, flip);
+    if (hidden(context.patch, pixels_of(blocks, i), blocks.nearest[i])) continue;
+    std::int32_t at[3];
+    for (int a = 0; a < 3; ++a) at[a] = first[a] + kBlock * place_in_cube(blocks.number[i], a);
+    prefetch_block(context.query, at);
+    draw_block<T, kOrthographic>(context, mask.cells[blocks.number[i]], at, flip);
   }
 }
 

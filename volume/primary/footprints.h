@@ -1,6 +1,7 @@
 // Which pixels of a patch a box of cells may meet, and whether what is there already hides it.
 #pragma once
 
+#include <isocast/volume/primary/screen_map.h>
 #include <isocast/volume/primary/windows.h>
 
 namespace isocast::inline ISO_ISA {
@@ -8,11 +9,11 @@ namespace isocast::inline ISO_ISA {
 /// Pixels that what is said of a footprint may be off by.
 inline constexpr float kMargin = 0x1p-5f;
 
-/// to_pixel seen from a patch: pixel (0, 0) is its first sample. linear, eye: the linear parts of this and of
-/// to_eye.
+/// to_pixel seen from a patch: pixel (0, 0) is its first sample. to_eye, and the
+/// radius of a cell, are in the unit of t. linear, eye: the linear parts.
 struct PatchMap {
-  double h[3][4];
-  float linear[3][3], eye[3][3];
+  double h[3][4], to_eye[3][4];
+  float linear[3][3], eye[3][3], radius;
 };
 inline PatchMap patch_map(const ScreenMap& map, const PatchState& patch) {
   PatchMap m;
@@ -24,10 +25,13 @@ inline PatchMap patch_map(const ScreenMap& map, const PatchState& patch) {
     m.h[2][c] = w;
   }
   for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < 4; ++c) {
+      m.to_eye[r][c] = map.unit * map.to_eye[r][c];
+      if (c == 3) continue;
       m.linear[r][c] = float(m.h[r][c]);
-      m.eye[r][c] = float(map.to_eye[r][c]);
+      m.eye[r][c] = float(m.to_eye[r][c]);
     }
+  m.radius = float(map.unit * map.cell_radius);
   return m;
 }
 inline double apply(const double (&row)[4], const double (&p)[3]) {
@@ -61,47 +65,35 @@ template <Real R> inline R last_pixel(R center, R half, int lo, int hi) {
   return max(min(floor(center + half + R(kMargin)), R(float(hi))), R(float(lo - 1)));
 }
 
-/// No ray meets a box before this t. eye: to_eye of its centre; radius: half its longest diagonal in the
-/// world.
+/// No ray meets a box before this t. eye: to_eye of its centre; radius: half its longest diagonal.
 template <Real R> inline R nearest_t(bool orthographic, const R (&eye)[3], R radius) {
   const R t = orthographic ? eye[0] : sqrt(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]);
   return t - radius - R(1e-5f) * (abs(eye[0]) + abs(eye[1]) + abs(eye[2]) + radius);
 }
 
-/// The largest depth of a part of the patch.
-inline double farthest(PatchState& patch, int part) {
+/// The largest limit of a part of the patch.
+inline float farthest(PatchState& patch, int part) {
   const std::uint64_t bit = std::uint64_t(1) << part;
   if (!(patch.stale & bit)) return patch.far[part];
-  using R = Native<double>;
-  R far = R(-__builtin_inf());
-  const double* rays =
-      patch.depth + part / kPatchParts * kPartSize * kPatchPitch + part % kPatchParts * kPartSize;
-  for (int y = 0; y < kPartSize; ++y)
-    for (int x = 0; x < kPartSize; x += kWidth<R>) far = max(load<R>(rays + y * kPatchPitch + x), far);
-  double lanes[kWidth<R>];
+  using R = Native<float>;
+  R far = R(-__builtin_inff());
+  const int first = part / kPatchParts * kPartSize * kPatchPitch + part % kPatchParts * kPartSize;
+  for (int y = 0; y < kPartSize; y += kRows<R>)
+    for (int x = 0; x < kPartSize; x += kColumns<R>)
+      far = max(load_window<R>(patch.limit, first + y * kPatchPitch + x), far);
+  float lanes[kWidth<R>];
   store(lanes, far);
-  double largest = lanes[0];
-  for (const double lane : lanes) largest = max(lane, largest);
+  float largest = lanes[0];
+  for (const float lane : lanes) largest = max(lane, largest);
   patch.stale &= ~bit;
   return patch.far[part] = largest;
 }
 
-/// All rays of the pixels have met something before t.
-inline bool hidden(PatchState& patch, const PixelBox& pixels, double t) {
+/// All rays of the pixels have met something before t, in the unit of t.
+inline bool hidden(PatchState& patch, const PixelBox& pixels, float t) {
   for (int y = pixels.y_lo / kPartSize; y <= pixels.y_hi / kPartSize; ++y)
     for (int x = pixels.x_lo / kPartSize; x <= pixels.x_hi / kPartSize; ++x)
       if (!(farthest(patch, y * kPatchParts + x) < t)) return false;
-  return true;
-}
-
-/// The same, ray by ray: for few pixels.
-inline bool covered(const PatchState& patch, const PixelBox& pixels, double t) {
-  using R = Native<double>;
-  for (int y = pixels.y_lo; y <= pixels.y_hi; y += kRows<R>)
-    for (int x = pixels.x_lo; x <= pixels.x_hi; x += kColumns<R>) {
-      const unsigned lanes = window_lanes<R>(pixels, x, y);
-      if (bits_of(load_window<R>(patch.depth, y * kPatchPitch + x) >= R(t)) & lanes) return false;
-    }
   return true;
 }
 

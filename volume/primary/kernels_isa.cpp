@@ -25,6 +25,11 @@ template <Real R> PrimaryRay<R> to_grid(const VolumeQuery& query, const PrimaryR
 
 bool is_parallel(double inverse) { return !(abs(inverse) < __builtin_inf()); }
 
+// Whether float can tell where planes are met. inverse: in the unit of t
+template <Real R> Mask<R> is_quick(R inverse) {
+  return (abs(inverse) > R(0x1p-40)) & (abs(inverse) < R(0x1p40));
+}
+
 // The number of the cells that a ray keeps to along an axis that it is parallel to, as find_block
 // (traverse.h) has it; a number that no cell has outside the active blocks.
 double parallel_cell(const VolumeQuery& query, int a, double o, double d) {
@@ -37,6 +42,22 @@ double parallel_cell(const VolumeQuery& query, int a, double o, double d) {
   return d < 0 && cell > first && cell >= o ? cell - 1 : cell;
 }
 
+// What a first look at orthographic rays needs. corner: where the first ray of the patch starts.
+void start_quick(const VolumeQuery& query, const Vec3<double>& corner, PatchState& patch) {
+  const double size = kPatchSize, u = patch.x + patch.offset_u, v = patch.y + patch.offset_v;
+  const Vec3<double> across = to_grid(query, primary_ray(patch.frame, u + size, v)).o,
+                     down = to_grid(query, primary_ray(patch.frame, u, v + size)).o;
+  const double from[3] = {corner.x, corner.y, corner.z}, along[3] = {across.x, across.y, across.z},
+               below[3] = {down.x, down.y, down.z};
+  PatchLook& look = patch.look;
+  for (int a = 0; a < 3; ++a) {
+    const double inverse = look.shared_inverse[a] * patch.unit;
+    look.corner[a] = from[a];
+    look.shared_quick[a] = is_quick(inverse) ? inverse : 0;
+    look.reach[a] = (abs(along[a] - from[a]) + abs(below[a] - from[a])) * abs(look.shared_quick[a]);
+  }
+}
+
 void start_patch(const VolumeQuery& query, PatchState& patch) {
   const RayFrame& frame = patch.frame;
   const PrimaryRay<double> ray =
@@ -44,55 +65,57 @@ void start_patch(const VolumeQuery& query, PatchState& patch) {
   const Vec3<double>& shared = frame.orthographic ? ray.d : ray.o;
   const double numbers[3] = {shared.x, shared.y, shared.z};
   for (int a = 0; a < 3; ++a) {
-    patch.rays.shared[a] = numbers[a];
-    patch.rays.shared_inverse[a] = 1 / numbers[a];
-    patch.rays.parallel[a] = frame.orthographic && is_parallel(1 / numbers[a]);
+    patch.look.shared[a] = numbers[a];
+    patch.look.shared_inverse[a] = 1 / numbers[a];
+    patch.look.parallel[a] = frame.orthographic && is_parallel(1 / numbers[a]);
   }
+  if (frame.orthographic) start_quick(query, ray.o, patch);
   patch.stale = ~std::uint64_t(0);
-  (query.double_precision ? patch.pairs_double.size : patch.pairs_float.size) = 0;
-  (query.double_precision ? patch.pairs_double.any_start : patch.pairs_float.any_start) = false;
+  for (auto* rows : {patch.met, patch.walk})
+    for (int y = 0; y < kPatchSize; ++y) rows[y] = 0;
+  patch.queue = {};
+  (query.double_precision ? patch.cells_double.next : patch.cells_float.next) = 0;
 }
 
-// A ray that is parallel to an axis in perspective, which few are, is the walk's.
+// A ray that is almost parallel to an axis in perspective, which few are, is the walk's.
 void settle_parallel(const VolumeQuery& query, bool orthographic, int at, PatchState& patch) {
-  PatchRays& rays = patch.rays;
+  PatchRay& ray = patch.rays[at];
   for (int a = 0; a < 3; ++a) {
-    if (orthographic && rays.parallel[a])
-      rays.cell[a][at] = parallel_cell(query, a, rays.own[a][at], rays.shared[a]);
-    if (orthographic || !is_parallel(rays.inverse[a][at])) continue;
-    patch.walk[at] = 1;
-    patch.depth[at] = -1;
+    if (orthographic && patch.look.parallel[a])
+      ray.other[a] = parallel_cell(query, a, ray.own[a], patch.look.shared[a]);
+    if (orthographic || is_quick(ray.other[a] * patch.unit)) continue;
+    leave_to_walk(patch, at);
+    set_depth(patch, at, -1);
   }
 }
 
 void fill_tile(const VolumeQuery& query, int x0, int y0, PatchState& patch) {
   const RayFrame& frame = patch.frame;
   constexpr double kLanes[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-  PatchRays& rays = patch.rays;
+  PatchLook& look = patch.look;
   for (int y = y0; y < y0 + kTile; ++y) {
-    Mask<R> moves = Mask<R>(true);
+    Mask<R> quick = Mask<R>(true);
     for (int x = x0; x < x0 + kTile; x += kWidth<R>) {
       const R u = (R(patch.x + x) + load<R>(kLanes)) + R(patch.offset_u), v = R(patch.y + y + patch.offset_v);
       const PrimaryRay<R> ray = to_grid(query, primary_ray(frame, u, v));
       const Vec3<R>& own = frame.orthographic ? ray.o : ray.d;
-      const R numbers[3] = {own.x, own.y, own.z};
+      // what lies outside the picture hides nothing
+      const R inside = select(R(x) + load<R>(kLanes) < R(patch.columns), R(__builtin_inf()), R(-1)),
+              depth = y < patch.rows ? inside : R(-1), one = R(1);
+      const RayColumns<R> rays = {
+          {own.x, own.y, own.z}, {one / own.x, one / own.y, one / own.z}, depth, R(kNoHit)};
       const int at = y * kPatchPitch + x;
       for (int a = 0; a < 3; ++a) {
-        const R inverse = R(1) / numbers[a];
-        store(rays.own[a] + at, numbers[a]);
-        store(rays.inverse[a] + at, inverse);
-        moves = moves & (abs(inverse) < R(__builtin_inf()));
+        const R inverse = rays.other[a] * R(patch.unit);
+        store_as(look.quick[a] + at,
+                 frame.orthographic ? (rays.own[a] - R(look.corner[a])) * R(look.shared_quick[a]) : inverse);
+        quick = quick & is_quick(inverse);
       }
-      // what lies outside the picture hides nothing
-      const R inside = select(R(x) + load<R>(kLanes) < R(patch.columns), R(__builtin_inf()), R(-1));
-      store(patch.depth + at, y < patch.rows ? inside : R(-1));
+      store_rays(rays, patch.rays + at);
+      store_as(patch.limit + at, depth);
     }
     const int row = y * kPatchPitch + x0;
-    for (int x = 0; x < kTile; ++x) {
-      patch.axis[row + x] = 255;
-      patch.walk[row + x] = 0;
-    }
-    const bool settled = !any(!moves) && !frame.orthographic;
+    const bool settled = !any(!quick) && !frame.orthographic;
     for (int x = 0; x < kTile && !settled; ++x)
       if (x0 + x < patch.columns && y < patch.rows)
         settle_parallel(query, frame.orthographic, row + x, patch);
@@ -114,9 +137,18 @@ void trace_brick(const VolumeQuery& query, const ScreenMap& map, int iso, const 
   else trace_brick<float>(context, first, mask);
 }
 
+template <class T> void solve_rest(const VolumeQuery& query, PatchState& patch, TraceCounts& counts) {
+  while (patch.queue.size > 0)
+    if (patch.frame.orthographic) solve_pairs<T, true>(query, patch, counts);
+    else solve_pairs<T, false>(query, patch, counts);
+}
 void finish_patch(const VolumeQuery& query, PatchState& patch, TraceCounts& counts) {
-  while (query.double_precision && patch.pairs_double.size > 0) solve_pairs<double>(query, patch, counts);
-  while (!query.double_precision && patch.pairs_float.size > 0) solve_pairs<float>(query, patch, counts);
+  if (query.double_precision) solve_rest<double>(query, patch, counts);
+  else solve_rest<float>(query, patch, counts);
+}
+
+bool hidden(PatchState& patch, const PixelBox& pixels, double t) {
+  return isocast::hidden(patch, pixels, float(t * patch.unit));
 }
 
 }  // namespace

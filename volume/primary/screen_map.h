@@ -11,9 +11,10 @@ namespace isocast {
 /// to_eye       perspective: world position relative to the eye; orthographic: the ray parameter of g in row
 ///              0, nothing in the others
 /// cell_radius  half the longest diagonal of a cell in the world
+/// unit         a power of two that makes numbers near one of ray parameters: cell_radius becomes 1 to 2
 /// eye          perspective: the eye in grid space; orthographic: the direction to it
 struct ScreenMap {
-  double to_pixel[3][4], to_eye[3][4], cell_radius, eye[3];
+  double to_pixel[3][4], to_eye[3][4], cell_radius, unit, eye[3];
   bool orthographic;
 };
 

@@ -3,13 +3,13 @@
 #include <isocast/volume/primary/volume_pass.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace isocast {
 namespace {
 
 constexpr int kTilesPerPatch = kPatchSize / kTileSize, kPatchesPerBlock = kBlockTiles / kTilesPerPatch;
-constexpr std::uint8_t kNoHit = 255;
 
 // Slot of pixel (x, y) of a tile (View::fill).
 int slot_of(int x, int y) { return (y / 4 * 4 + x / 4) * kPacketSize + y % 4 * 4 + x % 4; }
@@ -38,6 +38,7 @@ void VolumePass::first_hits(int bx, int by, double offset_u, double offset_v, Bl
   const DefaultFloatEnvironment environment;
   PatchState& patch = *scratch_.local();
   patch.frame = view_.ray_frame();
+  patch.unit = bricks_.map.unit;
   patch.offset_u = offset_u;
   patch.offset_v = offset_v;
   for (int y = by * kPatchesPerBlock; y < std::min((by + 1) * kPatchesPerBlock, bricks_.rows); ++y)
@@ -88,8 +89,8 @@ unsigned VolumePass::fill_tiles(const PixelBox& pixels, unsigned filled, BlockHi
       const HitStream& others = hits.tile(bx, by);
       for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; ++x) {
-          double& depth = patch.depth[(y0 + y) * kPatchPitch + x0 + x];
-          depth = std::min(depth, others.t[slot_of(x, y)]);
+          const int ray = (y0 + y) * kPatchPitch + x0 + x;
+          set_depth(patch, ray, std::min(patch.rays[ray].depth, others.t[slot_of(x, y)]));
         }
     }
   return filled;
@@ -98,12 +99,14 @@ unsigned VolumePass::fill_tiles(const PixelBox& pixels, unsigned filled, BlockHi
 void VolumePass::write_tile(int x0, int y0, const PatchState& patch, BlockHits& hits,
                             TraceCounts& counts) const {
   const int columns = std::min(kTileSize, patch.columns - x0), rows = std::min(kTileSize, patch.rows - y0);
-  bool any = false, walk = false;
-  for (int y = y0; y < y0 + rows; ++y)
-    for (int at = y * kPatchPitch + x0; at < y * kPatchPitch + x0 + columns; ++at) {
-      any = any || patch.axis[at] != kNoHit;
-      walk = walk || patch.walk[at];
-    }
+  const auto row = [&](const std::uint64_t(&bits)[kPatchSize], int y) {
+    return static_cast<unsigned>(bits[y0 + y] >> x0 & ((1u << columns) - 1));
+  };
+  unsigned any = 0, walk = 0;
+  for (int y = 0; y < rows; ++y) {
+    any |= row(patch.met, y);
+    walk |= row(patch.walk, y);
+  }
   if (!any && !walk) return;
   const int tx = (patch.x + x0) / kTileSize, ty = (patch.y + y0) / kTileSize;
   HitStream& tile = hits.tile(tx % kBlockTiles, ty % kBlockTiles);
@@ -111,13 +114,12 @@ void VolumePass::write_tile(int x0, int y0, const PatchState& patch, BlockHits& 
   const bool need_rays = walk || query_.iso_count > 1;
   if (need_rays) view_.fill(tx, ty, patch.offset_u, patch.offset_v, rays);
   for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < columns; ++x) {
-      const int at = (y0 + y) * kPatchPitch + x0 + x, slot = slot_of(x, y);
-      if (patch.axis[at] == kNoHit || patch.walk[at]) continue;
-      const PatchHit& hit = patch.hits[at];
-      const CellRoot root = {patch.depth[at], hit.t_out,    hit.s,
-                             hit.s_lo,        hit.s_hi,     {hit.cell[0], hit.cell[1], hit.cell[2]},
-                             hit.iso,         hit.undecided};
+    for (unsigned rest = row(patch.met, y) & ~row(patch.walk, y); rest; rest &= rest - 1) {
+      const int x = std::countr_zero(rest), slot = slot_of(x, y);
+      const PatchHit& hit = patch.hits[(y0 + y) * kPatchPitch + x0 + x];
+      const CellRoot root = {hit.t_in, hit.t_out,    hit.s,
+                             hit.s_lo, hit.s_hi,     {hit.cell[0], hit.cell[1], hit.cell[2]},
+                             hit.iso,  hit.undecided};
       if (!(root_t(root) < tile.t[slot])) continue;
       write_hit(query_, root,
                 sides_of_root(query_, rays, slot, root.cell, hit.iso, hit.behind, hit.undecided), tile, slot);
@@ -125,7 +127,7 @@ void VolumePass::write_tile(int x0, int y0, const PatchState& patch, BlockHits& 
   if (!walk) return;
   for (int y = 0; y < kTileSize; ++y)
     for (int x = 0; x < kTileSize; ++x) {
-      const bool asked = x < columns && y < rows && patch.walk[(y0 + y) * kPatchPitch + x0 + x];
+      const bool asked = y < rows && row(patch.walk, y) >> x & 1;
       if (!asked) rays.t_max[slot_of(x, y)] = -1;
     }
   trace_first_hits(query_, rays, tile, counts);

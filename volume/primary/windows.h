@@ -1,167 +1,102 @@
-// The rays of small windows of a patch that cross one cell.
+// A first look at the rays of small windows of a patch: which of them may cross a cell.
 #pragma once
 
-#include <isocast/volume/fetch_cells.h>
-#include <isocast/volume/primary/pairs.h>
+#include <isocast/volume/primary/lanes.h>
+#include <isocast/volume/primary/patch.h>
 
 namespace isocast::inline ISO_ISA {
 
-/// A window is as large as a register of doubles: kColumns x kRows pixels.
+/// A window is as large as a register of floats: kColumns x kRows pixels.
 template <Real R> inline constexpr int kColumns = kWidth<R> < 4 ? kWidth<R> : 4;
 template <Real R> inline constexpr int kRows = kWidth<R> / kColumns<R>;
 
 /// The lanes of the window at (x, y) that lie in a box of pixels.
 template <Real R> inline unsigned window_lanes(const PixelBox& pixels, int x, int y) {
-  const int columns = pixels.x_hi - x + 1;
-  const unsigned row = columns < kColumns<R> ? (1u << columns) - 1 : (1u << kColumns<R>)-1;
-  return kRows<R> > 1 && y < pixels.y_hi ? row | row << kColumns<R> : row;
+  constexpr unsigned kEveryRow = ((1ull << kWidth<R>)-1) / ((1u << kColumns<R>)-1);
+  const int columns = pixels.x_hi - x + 1, rows = pixels.y_hi - y + 1;
+  unsigned lanes = (1ull << kWidth<R>)-1;
+  if (columns < kColumns<R>) lanes &= ((1u << columns) - 1) * kEveryRow;
+  if (rows < kRows<R>) lanes &= (1u << rows * kColumns<R>)-1;
+  return lanes;
 }
 
 /// Values of the rays of the window whose first ray is number `at`.
-template <Real R> inline R load_window(const double* rays, int at) {
-#ifdef __AVX512DQ__
-  const __m256d first = _mm256_loadu_pd(rays + at), second = _mm256_loadu_pd(rays + at + kPatchPitch);
-  return R(_mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(first), second, 1));
+template <Real R> inline R load_window(const float* rays, int at) {
+#if defined(__AVX2__)
+  const float* from = rays + at;
+  const __m256 low =
+      _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(from)), _mm_loadu_ps(from + kPatchPitch), 1);
+#if defined(__AVX512DQ__)
+  const __m256 high = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(from + 2 * kPatchPitch)),
+                                           _mm_loadu_ps(from + 3 * kPatchPitch), 1);
+  return R(_mm512_maskz_insertf32x8(0xffff, _mm512_castps256_ps512(low), high, 1));
+#else
+  return R(low);
+#endif
 #else
   return load<R>(rays + at);
 #endif
 }
 
-/// Writes the lanes of `bits` one behind the other; up to kWidth<R> numbers behind `to` are overwritten.
-template <Real R> inline void compress(double* to, R v, unsigned bits) {
-#ifdef __AVX512DQ__
-  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(__mmask8(bits), v.v));
-#else
-  double lanes[kWidth<R>];
-  store(lanes, v);
-  for (; bits; bits &= bits - 1) *to++ = lanes[__builtin_ctz(bits)];
-#endif
-}
-template <Real R> inline void compress(float* to, R v, unsigned bits) {
-#ifdef __AVX512DQ__
-  _mm256_storeu_ps(to, _mm256_maskz_compress_ps(__mmask8(bits), _mm512_maskz_cvtpd_ps(0xff, v.v)));
-#else
-  double lanes[kWidth<R>];
-  store(lanes, v);
-  for (; bits; bits &= bits - 1) *to++ = float(lanes[__builtin_ctz(bits)]);
-#endif
-}
-
-/// Writes a value as often as a window has lanes.
-template <class V> inline void spread(V* to, V value) {
-  for (int l = 0; l < kWidth<Native<double>>; ++l) to[l] = value;
-}
-
-/// A cell on its way into the queue. f: corners minus iso.
-template <class T> struct CellToDraw {
-  std::int32_t at[3];
-  int iso;
-  FetchedCell state;
-  const T* f;
+/// Behind the planes of a cell along each axis, as far as rays that start at `corner` can see in float.
+struct QuickCell {
+  float low[3], high[3];
 };
 
-/// Where a window's rays meet the planes of a cell. They cross it if they meet all near ones before all far
-/// ones: those that do surely do not have t_out < t_in.
-template <Real R> struct CellPlanes {
-  R near[3], far[3];
-  Mask<R> start;  // the ray starts in the cell, or behind it
-  R t_in, t_out;
-};
+/// What float may be off by: some roundings of a product, or of a difference of numbers no larger than
+/// `reach`.
+inline constexpr float kQuickFactor = 1 + 0x1p-20f, kQuickTiny = 0x1p-70f;
+inline constexpr double kQuickSlack = 0x1p-20;
 
-/// The same expression as in traverse.h: planes are met at (k - o) * inverse.
-template <Real R, bool kOrthographic>
-inline CellPlanes<R> meet_planes(const PatchRays& rays, const std::int32_t (&cell)[3], int at) {
-  CellPlanes<R> p;
+/// Perspective: the planes relative to the eye. Orthographic: where the ray of the patch's corner meets them,
+/// moved outward; nowhere along axes that a first look cannot use.
+template <bool kOrthographic>
+inline QuickCell quick_cell(const PatchLook& rays, const std::int32_t (&cell)[3]) {
+  QuickCell quick;
   for (int a = 0; a < 3; ++a) {
     const double k = double(cell[a]);
-    R low, high;
-    if constexpr (kOrthographic) {
-      if (rays.parallel[a]) {
-        const Mask<R> inside = load_window<R>(rays.cell[a], at) == R(k);
-        p.near[a] = select(inside, R(-__builtin_inf()), R(__builtin_inf()));
-        p.far[a] = R(__builtin_inf());
-        continue;
-      }
-      const R o = load_window<R>(rays.own[a], at), inverse = R(rays.shared_inverse[a]);
-      low = (R(k) - o) * inverse;
-      high = (R(k + 1) - o) * inverse;
+    if constexpr (!kOrthographic) {
+      quick.low[a] = float(k - rays.shared[a]);
+      quick.high[a] = float(k + 1 - rays.shared[a]);
+    } else if (rays.shared_quick[a] == 0) {
+      quick.low[a] = -__builtin_inff();
+      quick.high[a] = __builtin_inff();
     } else {
-      const R inverse = load_window<R>(rays.inverse[a], at);
-      low = R(k - rays.shared[a]) * inverse;
-      high = R(k + 1 - rays.shared[a]) * inverse;
+      const double low = (k - rays.corner[a]) * rays.shared_quick[a],
+                   high = (k + 1 - rays.corner[a]) * rays.shared_quick[a],
+                   slack = kQuickSlack * (abs(low) + abs(high) + rays.reach[a]) + double(kQuickTiny);
+      quick.low[a] = float(min(low, high) - slack);
+      quick.high[a] = float(max(low, high) + slack);
     }
-    p.near[a] = min(low, high);
-    p.far[a] = max(low, high);
   }
-  const R entered = max(max(p.near[0], p.near[1]), p.near[2]);
-  p.start = entered <= R(0);
-  p.t_in = max(entered, R(0));
-  p.t_out = min(min(p.far[0], p.far[1]), p.far[2]);
-  return p;
+  return quick;
 }
 
-/// The axes of the last near and the first far plane by (t, axis), or kStart.
-template <Real R> struct CrossingAxes { R in, out; };
-template <Real R> inline CrossingAxes<R> crossing_axes(const CellPlanes<R>& p) {
-  const R in = select(p.near[2] >= max(p.near[0], p.near[1]), R(2),
-                      select(p.near[1] >= p.near[0], R(1), R(0))),
-          out = select(p.far[2] < min(p.far[0], p.far[1]), R(2), select(p.far[1] < p.far[0], R(1), R(0)));
-  return {select(p.start, R(kStart), in), out};
-}
-
-/// Entry and exit of the cell along one axis in its own coordinates (point_in_cell).
-template <Real R> struct ChordEnds { R entry, exit; };
-template <Real R, bool kOrthographic>
-inline ChordEnds<R> chord_ends(const PatchRays& rays, const std::int32_t (&cell)[3], int a, int at,
-                               const CellPlanes<R>& p, const CrossingAxes<R>& axis) {
-  R base, d;
-  if constexpr (kOrthographic) {
-    base = load_window<R>(rays.own[a], at) - R(double(cell[a]));
-    d = R(rays.shared[a]);
-  } else {
-    base = R(rays.shared[a] - double(cell[a]));
-    d = load_window<R>(rays.own[a], at);
-  }
-  const R entry = clamp01(base + p.t_in * d), exit = clamp01(base + p.t_out * d);
-  const R upper = select(d < R(0), R(1), R(0));  // the face it enters through, if it is one of this axis
-  return {select(axis.in == R(a), upper, entry), select(axis.out == R(a), R(1) - upper, exit)};
-}
-
-/// Queues the rays of a window, those of `lanes`, that cross the cell before their nearest root.
-template <class T, bool kOrthographic>
-inline void queue_window(const CellToDraw<T>& cell, int at, unsigned lanes, PatchState& patch) {
-  using R = Native<double>;
-  constexpr double kOffsets[8] = {0, 1, 2, 3, kPatchPitch, kPatchPitch + 1, kPatchPitch + 2, kPatchPitch + 3};
-  const PatchRays& rays = patch.rays;
-  const CellPlanes<R> planes = meet_planes<R, kOrthographic>(rays, cell.at, at);
-  const R depth = load_window<R>(patch.depth, at);
-  unsigned bits = bits_of((planes.t_in <= planes.t_out) & (planes.t_in <= depth)) & lanes;
-  if (bits == 0) return;
-  const CrossingAxes<R> axis = crossing_axes(planes);
-  const auto leave_to_walk = [&](unsigned rest) {
-    for (; rest; rest &= rest - 1) patch.walk[at + int(kOffsets[__builtin_ctz(rest)])] = 1;
-  };
-  // a ray that starts on a plane is in the cell in front, or, on the border of the active blocks, behind
-  leave_to_walk(bits & bits_of(planes.start & (planes.t_out == R(0))));
-  bits &= bits_of((planes.t_in < planes.t_out) | (axis.in <= axis.out));
-  if (bits == 0) return;
-  if (cell.state == FetchedCell::doubtful) return leave_to_walk(bits);
-  PairQueue<T>& queue = pairs_of(patch, T{});
-  const int n = queue.size, count = __builtin_popcount(bits);
+/// The rays of the window whose first ray is number `at` that may cross the cell before their nearest root:
+/// all that do, and few others.
+template <bool kOrthographic>
+inline unsigned rays_across(const PatchState& patch, const QuickCell& cell, int at) {
+  using R = Native<float>;
+  R near[3], far[3];
   for (int a = 0; a < 3; ++a) {
-    const ChordEnds<R> ends = chord_ends<R, kOrthographic>(rays, cell.at, a, at, planes, axis);
-    compress(queue.entry[a] + n, ends.entry, bits);
-    compress(queue.exit[a] + n, ends.exit, bits);
+    const R ray = load_window<R>(patch.look.quick[a], at);
+    const R low = kOrthographic ? R(cell.low[a]) - ray : R(cell.low[a]) * ray,
+            high = kOrthographic ? R(cell.high[a]) - ray : R(cell.high[a]) * ray;
+    near[a] = kOrthographic ? low : min(low, high);
+    far[a] = kOrthographic ? high : max(low, high);
   }
-  compress(queue.t_in + n, planes.t_in, bits);
-  compress(queue.t_out + n, planes.t_out, bits);
-  compress(queue.axis + n, axis.in, bits);
-  compress(queue.ray + n, R(double(at)) + load<R>(kOffsets), bits);
-  queue.any_start = queue.any_start || any(planes.start);
-  for (int k = 0; k < 8; ++k) spread(queue.f[k] + n, cell.f[k]);
-  for (int a = 0; a < 3; ++a) spread(queue.cell[a] + n, cell.at[a]);
-  spread(queue.iso + n, cell.iso);
-  queue.size = n + count;
+  const R t_in = max(max(max(near[0], near[1]), near[2]), R(0)),
+          t_out = R(kQuickFactor) * min(min(far[0], far[1]), far[2]) + R(kQuickTiny);
+  return bits_of((t_in <= t_out) & (t_in <= load_window<R>(patch.limit, at)));
+}
+
+/// The numbers of the rays of the window whose first ray is number `at`.
+template <Real R> inline Ints<R> rays_from(int at) {
+  constexpr std::int32_t p = kPatchPitch;
+  alignas(64) static constexpr std::int32_t kOffsets[16] = {
+      0,     1,         2,         3,         p,     p + 1,     p + 2,     p + 3,
+      2 * p, 2 * p + 1, 2 * p + 2, 2 * p + 3, 3 * p, 3 * p + 1, 3 * p + 2, 3 * p + 3};
+  return load_ints<R>(kOffsets) + at;
 }
 
 }  // namespace isocast::inline ISO_ISA

@@ -2,6 +2,7 @@
 #include <isocast/volume/fetch_cells.h>
 #include <isocast/volume/ray_slack.h>
 #include <isocast/volume/solve_cells.h>
+#include <isocast/volume/solve_packet.h>
 #include <isocast/volume/stream/stream_tracer.h>
 
 #include <algorithm>
@@ -42,6 +43,8 @@ struct Journey {
 // The cells that up to 16 rays have found, as solve_cells.h asks for them.
 class FoundCells {
  public:
+  static constexpr int kLanes = kPacketSize;
+
   FoundCells(const MarchField& field, const StreamKernels& kernels, const RayStream& rays,
              const Journey& journey, const std::uint16_t* slots, int count)
       : field_(field), query_(*field.query), rays_(rays), journey_(journey), slots_(slots) {

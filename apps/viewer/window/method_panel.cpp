@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <isocast/apps/viewer/window/panels.h>
+#include <isocast/base/module.h>
+#include <isocast/isa/cpu.h>
 
 #include <algorithm>
 
@@ -55,6 +57,20 @@ void option_row(App& app, const MethodOption& option) {
         "%s", fmt::format("{}{}{}", option.meaning, option.unit.empty() ? "" : ", in ", option.unit).c_str());
 }
 
+// What rays are found with, of all objects; a GPU only where the program has its part.
+void engine_row(App& app) {
+  static const std::vector<std::string> engines = [] {
+    std::vector<std::string> names = {"auto"};
+    for (const Isa isa : available_isas()) names.emplace_back(name_of(isa));
+    if (!find_part("isocast_cuda.so").empty()) names.emplace_back("cuda");
+    return names;
+  }();
+  ImGui::SetNextItemWidth(rest_of_width(6.5f));
+  choice(app, "method.isa", engines, app.session.words.isa);
+  ImGui::SameLine();
+  ImGui::TextUnformatted("processor");
+}
+
 }  // namespace
 
 void method_panel(App& app) {
@@ -71,6 +87,7 @@ void method_panel(App& app) {
          news.is_volume ? std::vector<std::string>{"float", "double"}
                         : std::vector<std::string>{"float", "double", "mixed"},
          app.session.words.precision);
+  engine_row(app);
   if (object.method == "auto" && !news.method.empty()) wrapped(news.method + ": " + news.method_reason);
   const Method* const row = row_of(app);
   if (!row) return;

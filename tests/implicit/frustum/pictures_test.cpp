@@ -56,7 +56,7 @@ void check_picture(const CatalogueSurface& surface, int step, Tally& tally) {
                 y = tile / kBlockTiles;
       view.fill(block % 4 * kBlockTiles + x, block / 4 * kBlockTiles + y, 0.5, 0.5, rays);
       const Double3 o = origin_of(rays, i), d = direction_of(rays, i);
-      const RayRange range = range_inside(box, o, d);
+      const Reach range = range_inside(box, o, d);
       if (!is_ray(rays, i) || range.empty()) continue;
       reference::ReferenceOptions options;
       options.max_roots = 1;

@@ -1,0 +1,62 @@
+#include <isocast/cuda/formula_device.h>
+#include <isocast/cuda/segment_work.h>
+
+namespace isocast {
+namespace {
+
+enum Buffer { kSegments, kRoots };
+
+class Solver final : public SegmentSolver {
+ public:
+  Solver(std::shared_ptr<const QueuePool> pool, const SegmentSolverKey& key, const Tape& tape)
+      : pool_(std::move(pool)), kernel_(pool_->engine().formula_kernel(key, tape)) {}
+
+  void solve(const FormulaQuery<float>& query, std::span<const SegmentStream<float>* const> segments,
+             std::span<SegmentRoots<float>* const> roots) const override {
+    solve_all(query, segments, roots);
+  }
+  void solve(const FormulaQuery<double>& query, std::span<const SegmentStream<double>* const> segments,
+             std::span<SegmentRoots<double>* const> roots) const override {
+    solve_all(query, segments, roots);
+  }
+
+ private:
+  template <class T>
+  void solve_all(const FormulaQuery<T>& query, std::span<const SegmentStream<T>* const> segments,
+                 std::span<SegmentRoots<T>* const> roots) const {
+    pool_->with_workplace([&](Workplace& place) {
+      Queue& queue = *place.queue;
+      const std::size_t n = segments.size();
+      auto* const from =
+          reinterpret_cast<SegmentStream<T>*>(place.buffer(kSegments, n * sizeof(SegmentStream<T>)));
+      auto* const to = reinterpret_cast<SegmentRoots<T>*>(place.buffer(kRoots, n * sizeof(SegmentRoots<T>)));
+      for (std::size_t i = 0; i < n; ++i) queue.upload(from + i, segments[i], sizeof(SegmentStream<T>));
+      const SegmentWork<T> work = {query, from, to, std::int32_t(n)};
+      queue.launch(*kernel_, &work, sizeof work, std::int64_t(n) * kStreamSize);
+      for (std::size_t i = 0; i < n; ++i) queue.download(roots[i], to + i, sizeof(SegmentRoots<T>));
+    });
+  }
+
+  std::shared_ptr<const QueuePool> pool_;
+  std::shared_ptr<const Kernel> kernel_;
+};
+
+class Device final : public FormulaDevice {
+ public:
+  explicit Device(std::shared_ptr<const QueuePool> pool) : pool_(std::move(pool)) {}
+  [[nodiscard]] std::unique_ptr<const SegmentSolver> solver_of(const SegmentSolverKey& key,
+                                                               const Tape& tape) const override {
+    return std::make_unique<Solver>(pool_, key, tape);
+  }
+
+ private:
+  std::shared_ptr<const QueuePool> pool_;
+};
+
+}  // namespace
+
+std::shared_ptr<const FormulaDevice> make_formula_device(std::shared_ptr<const QueuePool> pool) {
+  return std::make_shared<Device>(std::move(pool));
+}
+
+}  // namespace isocast

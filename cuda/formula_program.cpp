@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+#include <isocast/base/cache_folder.h>
+#include <isocast/base/error.h>
+#include <isocast/base/hash.h>
+#include <isocast/base/output_file.h>
+#include <isocast/cuda/expression_source.h>
+#include <isocast/cuda/formula_program.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace isocast {
+namespace {
+namespace fs = std::filesystem;
+
+const SourceFile kHeaders[] = {
+#include "formula_headers.inc"
+};
+
+std::vector<SourceFile> headers_with(const Tape& tape) {
+  std::vector<SourceFile> headers(std::begin(kHeaders), std::end(kHeaders));
+  headers.push_back({"isocast/implicit/expression/evaluate.h", expression_header(tape)});
+  return headers;
+}
+
+const char* solver_of(FormulaMethod method) {
+  switch (method) {
+    case FormulaMethod::affine: return "AffineSolver";
+    case FormulaMethod::amp_sign: return "AmpSignSolver";
+    case FormulaMethod::amp_taylor: return "AmpTaylorSolver";
+    default: return "IntervalSolver";
+  }
+}
+
+std::string source_of(const SegmentSolverKey& key) {
+  return fmt::format(R"(#define ISO_ONE_RAY
+#define ISO_ISOS {0}
+{1}
+#include <isocast/cuda/formula_body.h>
+using namespace isocast;
+extern "C" __global__ void __launch_bounds__(128) {2}(const __grid_constant__ SegmentWork<{3}> work) {{
+  alignas(16) std::byte value[kRegisterBytes<{4}<{3}>, {3}>];
+  solve_segment<{4}<{3}>>(work, {{int(blockIdx.x), int(threadIdx.x), int(blockDim.x)}}, value);
+}}
+)",
+                     key.iso_count, key.nearest ? "#define ISO_ROUND_NEAREST" : "", kFormulaKernel,
+                     key.double_precision ? "double" : "float", solver_of(key.method));
+}
+
+std::vector<char> read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+CompiledProgram compile_formula(const SegmentSolverKey& key, const Tape& tape,
+                                const std::string& architecture) {
+  return compile_program(source_of(key), headers_with(tape), architecture);
+}
+
+std::vector<char> formula_program(const SegmentSolverKey& key, const Tape& tape,
+                                  const std::string& architecture) {
+  const std::string source = source_of(key);
+  const std::vector<SourceFile> headers = headers_with(tape);
+  Hash hash;
+  hash.add(compiler_version() + architecture + source);
+  for (const SourceFile& header : headers) hash.add(header.text);
+  const fs::path folder = cache_folder("cuda"), file = folder / (hash.text() + ".cubin");
+  if (!folder.empty())
+    if (std::vector<char> kept = read(file); !kept.empty()) return kept;
+  CompiledProgram program = compile_program(source, headers, architecture);
+  if (folder.empty()) return std::move(program.code);
+  try {
+    fs::create_directories(folder);
+    write_text_file(file, std::string(program.code.begin(), program.code.end()));
+  } catch (const fs::filesystem_error&) {  // it is compiled all the same
+  } catch (const InputError&) {}
+  return std::move(program.code);
+}
+
+}  // namespace isocast

@@ -1,0 +1,21 @@
+// A formula's kernel, compiled at run time.
+#pragma once
+
+#include <isocast/cuda/nvrtc.h>
+#include <isocast/implicit/segment_solver.h>
+
+namespace isocast {
+
+/// The name of the kernel.
+inline constexpr const char* kFormulaKernel = "solve_segments";
+
+/// The kernel of a method for this formula. architecture: as compile_program (nvrtc.h), which says what it
+/// throws.
+[[nodiscard]] CompiledProgram compile_formula(const SegmentSolverKey& key, const Tape& tape,
+                                              const std::string& architecture);
+
+/// The same, kept in cache_folder("cuda") under the hash of all that it is made from.
+[[nodiscard]] std::vector<char> formula_program(const SegmentSolverKey& key, const Tape& tape,
+                                                const std::string& architecture);
+
+}  // namespace isocast

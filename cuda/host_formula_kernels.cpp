@@ -1,0 +1,35 @@
+// Built with ISO_ONE_RAY, once for each rounding, in namespaces of their own.
+#include <isocast/cuda/formula_body.h>
+#include <isocast/cuda/host_kernels.h>
+
+namespace isocast::inline ISO_ISA {
+
+HostFormulaKernel formula_kernel_of(const SegmentSolverKey& key);
+
+namespace {
+
+template <class Method, class T> constexpr HostFormulaKernel kernel() {
+  return {
+      [](const void* body, std::int32_t block, std::int32_t thread, std::int32_t threads, void* registers) {
+        solve_segment<Method>(*static_cast<const SegmentWork<T>*>(body), Place{block, thread, threads},
+                              registers);
+      },
+      kRegisterBytes<Method, T>};
+}
+
+template <class T> HostFormulaKernel kernel_of(FormulaMethod method) {
+  switch (method) {
+    case FormulaMethod::affine: return kernel<AffineSolver<T>, T>();
+    case FormulaMethod::amp_sign: return kernel<AmpSignSolver<T>, T>();
+    case FormulaMethod::amp_taylor: return kernel<AmpTaylorSolver<T>, T>();
+    default: return kernel<IntervalSolver<T>, T>();
+  }
+}
+
+}  // namespace
+
+HostFormulaKernel formula_kernel_of(const SegmentSolverKey& key) {
+  return key.double_precision ? kernel_of<double>(key.method) : kernel_of<float>(key.method);
+}
+
+}  // namespace isocast::inline ISO_ISA
