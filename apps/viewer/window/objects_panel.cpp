@@ -6,6 +6,17 @@
 #include <algorithm>
 
 namespace isocast::viewer {
+namespace {
+
+// As much of the text as there is room for.
+std::string cut_to(const std::string& text, float room) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  std::size_t length = text.size();
+  while (length > 0 && ImGui::CalcTextSize((text.substr(0, length) + "...").c_str()).x > room) --length;
+  return text.substr(0, length) + "...";
+}
+
+}  // namespace
 
 void objects_panel(App& app) {
   constexpr int kMostRows = 6;
@@ -21,8 +32,10 @@ void objects_panel(App& app) {
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const std::string name = object.name.empty() ? fmt::format("number {}", k + 1) : object.name;
-    if (ImGui::Selectable(fmt::format("{} ({})", name, object.type).c_str(), k == session.current))
-      session.current = k;
+    const std::string row = fmt::format("{} ({})", name, object.type);
+    const std::string shown = cut_to(row, rest_of_width(0));
+    if (ImGui::Selectable(shown.c_str(), k == session.current)) session.current = k;
+    if (shown != row && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.c_str());
     app.landmarks.mark(fmt::format("objects.{}", name));
     ImGui::PopID();
   }
