@@ -69,9 +69,9 @@ extern "C" __global__ void __launch_bounds__(128) {2}(const __grid_constant__ Ra
                      kFormulaKernel, key.single ? "float" : "double");
 }
 
-CompiledProgram compile_formula(const SegmentSolverKey& key, const Tape& tape,
+CompiledProgram compile_formula(const std::string& source, const Tape& tape,
                                 const std::string& architecture) {
-  return compile_program(source_of(key), headers_with(tape), architecture);
+  return compile_program(source, headers_with(tape), architecture);
 }
 
 std::vector<char> formula_program(const std::string& source, const Tape& tape,
