@@ -2,7 +2,6 @@
 #pragma once
 
 #include <isocast/implicit/expression/tape.h>
-#include <isocast/math/interval.h>
 #include <isocast/math/transform.h>
 
 #include <optional>
@@ -25,10 +24,13 @@ class Quadric {
   [[nodiscard]] LinePart inside(const Double3& o, const Double3& d) const;
 
  private:
-  using I = Interval<double>;
+  // A number with what it may be off by.
+  struct Coefficient {
+    double value, error;
+  };
 
-  bool flat_ = false;     // of degree 1: q is 0
-  I c_, l_[3], q_[3][3];  // q: upper triangle
+  bool flat_ = false;                              // of degree 1: q is 0
+  Coefficient c_ = {}, l_[3] = {}, q_[3][3] = {};  // q: upper triangle
 };
 
 }  // namespace isocast

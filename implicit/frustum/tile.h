@@ -3,6 +3,7 @@
 #pragma once
 
 #include <isocast/implicit/frustum/form_normals.h>
+#include <isocast/implicit/frustum/row_depths.h>
 #include <isocast/implicit/frustum/row_roots.h>
 
 namespace isocast::inline ISO_ISA {
@@ -43,7 +44,7 @@ template <class T, class C> class FrustumTile {
     const double span = query_.s1 - query_.s0;
     double begin[kTile][kRow], end[kTile][kRow], least = kInfinity<double>, most = -kInfinity<double>;
     for (int y = 0; y < kTile; ++y) {
-      clip_row(query_.u0 + part.x * kTile, query_.v0 + part.y * kTile + y + query_.offset_v, begin[y],
+      clip_row(query_, query_.u0 + part.x * kTile, query_.v0 + part.y * kTile + y + query_.offset_v, begin[y],
                end[y]);
       for (int x = 0; x < kRow; ++x)
         if (begin[y][x] < end[y][x]) least = min(begin[y][x], least), most = max(end[y][x], most);
@@ -80,28 +81,6 @@ template <class T, class C> class FrustumTile {
 
  private:
   static constexpr int kTile = 16;
-
-  // Depths between which the rays of a row of pixels are in the domain.
-  void clip_row(double u, double v, double* begin, double* end) const {
-    const PixelLines& lines = query_.lines;
-    for (int first = 0; first < kRow; first += kWidth<Wide>) {
-      double places[kWidth<Wide>];
-      for (int l = 0; l < kWidth<Wide>; ++l) places[l] = u + (first + l) + query_.offset_u;
-      const Wide pixel = load<Wide>(places);
-      Wide near = Wide(query_.s0), far = Wide(query_.s1);
-      for (int a = 0; a < 3; ++a) {
-        const Wide o = Wide(lines.o[a] + v * lines.o_v[a]) + pixel * Wide(lines.o_u[a]),
-                   d = Wide(lines.d[a] + v * lines.d_v[a]) + pixel * Wide(lines.d_u[a]);
-        const Wide t0 = (Wide(query_.lo[a]) - o) / d, t1 = (Wide(query_.hi[a]) - o) / d;
-        const Mask<Wide> still = d == Wide(0.0);
-        const Mask<Wide> outside = still & ((o < Wide(query_.lo[a])) | (o > Wide(query_.hi[a])));
-        near = select(still, near, max(min(t0, t1), near));
-        far = select(still, select(outside, Wide(-kInfinity<double>), far), min(max(t0, t1), far));
-      }
-      store(begin + first, near);
-      store(end + first, far);
-    }
-  }
 
   using Weights = C[kMostFormDegree + 1][kTile];
 
