@@ -44,7 +44,8 @@ struct FrameTimes {
 [[nodiscard]] std::string frames_csv(const std::vector<FrameTimes>& frames);
 /// The same as a table to read.
 [[nodiscard]] std::string frames_summary(const std::vector<FrameTimes>& frames);
-/// Time per ray over samples along an edge, a line per volume: seen from outside, in float.
+/// Time per ray over samples along an edge, a line per volume: seen from outside, as bytes, which all sizes
+/// have.
 [[nodiscard]] std::string frames_plot(const std::vector<FrameTimes>& frames);
 
 }  // namespace isocast::bench

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kWidth = 460, kHeight = 360, kLeft = 62, kRight = 340, kTop = 16, kBottom = 310;
 
-bool is_plotted(const FrameTimes& frame) { return frame.camera == "outside" && frame.type == "f32"; }
+bool is_plotted(const FrameTimes& frame) { return frame.camera == "outside" && frame.type == "u8"; }
 double per_ray(const FrameTimes& frame) { return frame.frame / static_cast<double>(frame.rays); }
 
 Row row_of(const FrameTimes& frame, const char* way, double seconds) {

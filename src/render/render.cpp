@@ -60,13 +60,14 @@ void add_nothing(const Frame& frame, int tx, int ty, int sample, Film& film, Ren
   const bool prove = sample == 0 && frame.proves && film.has(Layer::certificate);
   const float share = 1.0f / static_cast<float>(frame.settings.spp);
   const Color& background = frame.scene.background;
+  const float more[4] = {share * background[0], share * background[1], share * background[2], 0};
   for (int y = y0; y < y1; ++y) {
     const auto id = static_cast<std::uint32_t>(x0 + y * frame.view.width());
     if (prove) std::fill_n(film.at(Layer::certificate, id), x1 - x0, 0.0f);
     if (!frame.features.shade) continue;
     float* pixel = film.color(id);
     for (int x = x0; x < x1; ++x, pixel += 4)
-      for (int c = 0; c < 3; ++c) pixel[c] += share * background[c];
+      for (int c = 0; c < 4; ++c) pixel[c] += more[c];
   }
 }
 
