@@ -18,7 +18,8 @@ std::shared_ptr<const ComputeDevice> open() {
       wanted && std::string_view(wanted) == "host" ? make_host_engine() : make_device_engine();
   const auto pool = std::make_shared<const QueuePool>(engine);
   return std::make_shared<ComputeDevice>(ComputeDevice{engine->name(), make_volume_device(pool),
-                                                       make_formula_device(pool), [pool] { return pool->seconds(); }});
+                                                       make_formula_device(pool),
+                                                       [pool] { return pool->seconds(); }});
 }
 
 const CudaModule module = {open};

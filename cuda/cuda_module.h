@@ -21,8 +21,8 @@ struct ComputeDevice {
 };
 
 struct CudaModule {
-  /// The first device, or with the environment variable ISOCAST_CUDA_ENGINE=host this processor in its place (for tests:
-  /// the same kernels, slowly). Throws InputError where there is no device.
+  /// The first device, or with the environment variable ISOCAST_CUDA_ENGINE=host this processor in its place
+  /// (for tests: the same kernels, slowly). Throws InputError where there is no device.
   std::shared_ptr<const ComputeDevice> (*open)();
 };
 

@@ -165,14 +165,21 @@ class DeviceEngine final : public Engine {
   }
   [[nodiscard]] std::shared_ptr<const Kernel> formula_kernel(const SegmentSolverKey& key,
                                                              const Tape& tape) const override {
-    const std::vector<char> program = formula_program(key, tape, architecture_for(10 * major_ + minor_));
+    return compiled(source_of(key), tape);
+  }
+  [[nodiscard]] std::shared_ptr<const Kernel> ray_form_kernel(const RayFormKey& key,
+                                                              const Tape& tape) const override {
+    return compiled(source_of(key), tape);
+  }
+
+ private:
+  [[nodiscard]] std::shared_ptr<const Kernel> compiled(const std::string& source, const Tape& tape) const {
+    const std::vector<char> program = formula_program(source, tape, architecture_for(10 * major_ + minor_));
     context_.use();
     CUmodule module = nullptr;  // stays: formulas are few
     check(driver().load_module(&module, program.data()));
     return function_of(module, kFormulaKernel);
   }
-
- private:
   [[nodiscard]] static std::shared_ptr<const Kernel> function_of(CUmodule module, const char* name) {
     CUfunction function = nullptr;
     check(driver().find_function(&function, module, name));

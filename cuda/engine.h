@@ -52,6 +52,8 @@ class Engine {
   [[nodiscard]] virtual std::shared_ptr<const Kernel> volume_kernel(const std::string& name) const = 0;
   [[nodiscard]] virtual std::shared_ptr<const Kernel> formula_kernel(const SegmentSolverKey& key,
                                                                      const Tape& tape) const = 0;
+  [[nodiscard]] virtual std::shared_ptr<const Kernel> ray_form_kernel(const RayFormKey& key,
+                                                                      const Tape& tape) const = 0;
 };
 
 }  // namespace isocast

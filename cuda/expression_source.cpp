@@ -89,10 +89,19 @@ template <Real R> ISO_HD inline R constant_as(TapeConstant constant, R) {
   return R(static_cast<Scalar<R>>(constant.value));
 }
 
-template <int kStride, class R> ISO_HD inline const R* evaluate_some(const TapeView&, const R* inputs, R* registers, int) {
-  [[maybe_unused]] const R x = inputs[0], y = inputs[kStride], z = inputs[2 * kStride], w = inputs[3 * kStride];
+template <class R>
+ISO_HD inline void the_formula([[maybe_unused]] const R& x, [[maybe_unused]] const R& y, [[maybe_unused]] const R& z,
+                               [[maybe_unused]] const R& w, R* registers) {
 )";
-constexpr const char* kAfter = R"(  return registers;
+constexpr const char* kAfter = R"(}
+
+template <int kStride, class R>
+ISO_HD inline const R* evaluate_some(const TapeView&, const R* inputs, R* registers, int count) {
+  if constexpr (kStride == 1) the_formula(inputs[0], inputs[1], inputs[2], inputs[3], registers);
+  else
+    for (int k = 0; k < count; ++k)
+      the_formula(inputs[k], inputs[kStride + k], inputs[2 * kStride + k], inputs[3 * kStride + k], registers + k);
+  return registers;
 }
 
 }  // namespace isocast::inline ISO_ISA

@@ -32,6 +32,13 @@ const char* solver_of(FormulaMethod method) {
   }
 }
 
+std::vector<char> read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
 std::string source_of(const SegmentSolverKey& key) {
   return fmt::format(R"(#define ISO_ONE_RAY
 #define ISO_ISOS {0}
@@ -47,21 +54,28 @@ extern "C" __global__ void __launch_bounds__(128) {2}(const __grid_constant__ Se
                      key.double_precision ? "double" : "float", solver_of(key.method));
 }
 
-std::vector<char> read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+std::string source_of(const RayFormKey& key) {
+  return fmt::format(R"(#define ISO_ONE_RAY
+#define ISO_FINDER {0}
+#define ISO_DEGREE {1}
+#include <isocast/cuda/ray_form_body.h>
+using namespace isocast;
+extern "C" __global__ void __launch_bounds__(128) {2}(const __grid_constant__ RayFormWork work) {{
+  alignas(16) std::byte values[kRayFormRegisterBytes];
+  solve_ray_form<{3}>(work, {{int(blockIdx.x), int(threadIdx.x), int(blockDim.x)}}, values);
+}}
+)",
+                     static_cast<int>(key.finder), key.degree <= kMostUnrolled ? key.degree : 0,
+                     kFormulaKernel, key.single ? "float" : "double");
 }
-
-}  // namespace
 
 CompiledProgram compile_formula(const SegmentSolverKey& key, const Tape& tape,
                                 const std::string& architecture) {
   return compile_program(source_of(key), headers_with(tape), architecture);
 }
 
-std::vector<char> formula_program(const SegmentSolverKey& key, const Tape& tape,
+std::vector<char> formula_program(const std::string& source, const Tape& tape,
                                   const std::string& architecture) {
-  const std::string source = source_of(key);
   const std::vector<SourceFile> headers = headers_with(tape);
   Hash hash;
   hash.add(compiler_version() + architecture + source);

@@ -9,13 +9,16 @@ namespace isocast {
 /// The name of the kernel.
 inline constexpr const char* kFormulaKernel = "solve_segments";
 
-/// The kernel of a method for this formula. architecture: as compile_program (nvrtc.h), which says what it
-/// throws.
-[[nodiscard]] CompiledProgram compile_formula(const SegmentSolverKey& key, const Tape& tape,
+/// Programs with one kernel of that name: a method's for segments, a finder's for rays' polynomials.
+[[nodiscard]] std::string source_of(const SegmentSolverKey& key);
+[[nodiscard]] std::string source_of(const RayFormKey& key);
+
+/// A program with its formula. architecture: as compile_program (nvrtc.h), which says what it throws.
+[[nodiscard]] CompiledProgram compile_formula(const std::string& source, const Tape& tape,
                                               const std::string& architecture);
 
 /// The same, kept in cache_folder("cuda") under the hash of all that it is made from.
-[[nodiscard]] std::vector<char> formula_program(const SegmentSolverKey& key, const Tape& tape,
+[[nodiscard]] std::vector<char> formula_program(const std::string& source, const Tape& tape,
                                                 const std::string& architecture);
 
 }  // namespace isocast

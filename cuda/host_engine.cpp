@@ -17,7 +17,8 @@
 namespace isocast {
 namespace one_ray {
 HostFormulaKernel formula_kernel_of(const SegmentSolverKey& key);
-}
+HostFormulaKernel ray_form_kernel_of(const RayFormKey& key);
+}  // namespace one_ray
 namespace one_ray_nearest {
 HostFormulaKernel formula_kernel_of(const SegmentSolverKey& key);
 }
@@ -95,15 +96,22 @@ class HostEngine final : public Engine {
   }
   [[nodiscard]] std::shared_ptr<const Kernel> formula_kernel(const SegmentSolverKey& key,
                                                              const Tape& tape) const override {
+    return function_of(
+        key.nearest ? one_ray_nearest::formula_kernel_of(key) : one_ray::formula_kernel_of(key), tape);
+  }
+  [[nodiscard]] std::shared_ptr<const Kernel> ray_form_kernel(const RayFormKey& key,
+                                                              const Tape& tape) const override {
+    return function_of(one_ray::ray_form_kernel_of(key), tape);
+  }
+
+ private:
+  static std::shared_ptr<const Kernel> function_of(const HostFormulaKernel& kernel, const Tape& tape) {
     auto function = std::make_shared<Function>();
-    const HostFormulaKernel kernel =
-        key.nearest ? one_ray_nearest::formula_kernel_of(key) : one_ray::formula_kernel_of(key);
     function->run = kernel.run;
     function->register_bytes = tape.registers * kernel.register_bytes;
     return function;
   }
 
- private:
   HostLaunches launches_;
 };
 

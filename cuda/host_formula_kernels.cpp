@@ -1,10 +1,12 @@
 // Built with ISO_ONE_RAY, once for each rounding, in namespaces of their own.
 #include <isocast/cuda/formula_body.h>
 #include <isocast/cuda/host_kernels.h>
+#include <isocast/cuda/ray_form_body.h>
 
 namespace isocast::inline ISO_ISA {
 
 HostFormulaKernel formula_kernel_of(const SegmentSolverKey& key);
+HostFormulaKernel ray_form_kernel_of(const RayFormKey& key);
 
 namespace {
 
@@ -15,6 +17,14 @@ template <class Method, class T> constexpr HostFormulaKernel kernel() {
                               registers);
       },
       kRegisterBytes<Method, T>};
+}
+
+template <class T> constexpr HostFormulaKernel ray_form_kernel() {
+  return {
+      [](const void* body, std::int32_t block, std::int32_t thread, std::int32_t threads, void* registers) {
+        solve_ray_form<T>(*static_cast<const RayFormWork*>(body), Place{block, thread, threads}, registers);
+      },
+      kRayFormRegisterBytes};
 }
 
 template <class T> HostFormulaKernel kernel_of(FormulaMethod method) {
@@ -30,6 +40,10 @@ template <class T> HostFormulaKernel kernel_of(FormulaMethod method) {
 
 HostFormulaKernel formula_kernel_of(const SegmentSolverKey& key) {
   return key.double_precision ? kernel_of<double>(key.method) : kernel_of<float>(key.method);
+}
+
+HostFormulaKernel ray_form_kernel_of(const RayFormKey& key) {
+  return key.single ? ray_form_kernel<float>() : ray_form_kernel<double>();
 }
 
 }  // namespace isocast::inline ISO_ISA

@@ -23,8 +23,8 @@ struct CompiledProgram {
 [[nodiscard]] CompiledProgram compile_program(const std::string& source, std::span<const SourceFile> headers,
                                               const std::string& architecture);
 
-/// Machine code for a device of compute capability `capability` (90 for 9.0), or PTX for the newest that NVRTC knows,
-/// which the driver of a newer device translates.
+/// Machine code for a device of compute capability `capability` (90 for 9.0), or PTX for the newest that
+/// NVRTC knows, which the driver of a newer device translates.
 [[nodiscard]] std::string architecture_for(int capability);
 
 /// "13.0"

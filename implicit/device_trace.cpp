@@ -10,14 +10,12 @@ void ImplicitSurface::use_device() {
   const FormulaMethodChoice& method = options_.method;
   const SegmentSolverKey key = {method.method, options_.double_precision, method.nearest,
                                 static_cast<int>(options_.iso.size())};
-  if (!options_.device) segment_solver_ = nullptr;
-  else if (method.has_form() || method.pass == FormulaPass::beam_uniform ||
-           method.pass == FormulaPass::beam_adaptive)
-    throw InputError(
-        fmt::format("--isa cuda has no kernels for --method {}; expected certified, interval, affine, "
-                    "mitchell, interval-newton, "
-                    "amp-sign or amp-taylor",
-                    name_of(method)));
+  if (!options_.device || method.has_form()) segment_solver_ = nullptr;
+  else if (method.pass == FormulaPass::beam_uniform || method.pass == FormulaPass::beam_adaptive)
+    throw InputError(fmt::format(
+        "--isa cuda has no kernels for --method {}; expected certified, interval, affine, mitchell, "
+        "interval-newton, amp-sign, amp-taylor or a frustum method",
+        name_of(method)));
   else if (method.options.packets)
     throw InputError("--set packets=1 is for packets of rays, and --isa cuda solves them one by one");
   else if (options_.device != device_ || !segment_solver_ || !(key == solver_key_))

@@ -5,9 +5,25 @@
 #include <isocast/implicit/solve/inclusion.h>
 #include <isocast/isa/cpu.h>
 
+#include <algorithm>
+
 namespace isocast {
 
-FormulaRegion::FormulaRegion(const Expression& g, double time) : tape_(make_tape(simplify(g))), time_(time) {}
+FormulaRegion::FormulaRegion(const Expression& g, double time)
+    : tape_(make_tape(simplify(g))), time_(time), quadric_(Quadric::of(tape_, time)) {}
+
+void FormulaRegion::narrow(RayStream& rays) const {
+  const DefaultFloatEnvironment environment;
+  for (int i = 0; i < rays.size; ++i) {
+    if (rays.t_min[i] > rays.t_max[i]) continue;
+    const LinePart part =
+        quadric_->inside({rays.ox[i], rays.oy[i], rays.oz[i]}, {rays.dx[i], rays.dy[i], rays.dz[i]});
+    rays.t_max[i] = std::min(rays.t_max[i], part.hi);
+    if (!(part.lo > rays.t_min[i])) continue;
+    rays.t_min[i] = part.lo;
+    rays.start_object[i] = kNoObject;
+  }
+}
 
 void FormulaRegion::locate(const RayStream& rays, const HitStream& hits, Place (&places)[kStreamSize]) const {
   using I = Interval<double>;

@@ -89,6 +89,7 @@ void ImplicitSurface::prepare_frustum() {
   options.normals = has_form_normals();
   options.isa = options_.isa;
   options.object = options_.object;
+  options.device = options_.device;
   frustum_ = std::make_shared<const FrustumTracer>(tape_, bounds_, options);
 }
 
@@ -250,7 +251,7 @@ void ImplicitSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCou
   if (segment_solver_) return trace_on_device(false, {&rays, 1}, std::array{&hits}, counts);
   const DefaultFloatEnvironment environment;
   if (frustum_) {
-    frustum_->trace(false, rays, hits, counts);
+    frustum_->trace(false, {&rays, 1}, std::array{&hits}, counts);
     set_components(rays, hits);
     return;
   }
@@ -261,7 +262,7 @@ void ImplicitSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCoun
   if (segment_solver_) return trace_on_device(true, {&rays, 1}, std::array{&hits}, counts);
   const DefaultFloatEnvironment environment;
   if (frustum_) {
-    frustum_->trace(true, rays, hits, counts);
+    frustum_->trace(true, {&rays, 1}, std::array{&hits}, counts);
     set_components(rays, hits);
     return;
   }

@@ -31,6 +31,10 @@ std::unique_ptr<PrimaryPass> ImplicitSurface::primary(const View& view) const {
     return std::make_unique<StreamPass>(*this, view, [this](auto rays, auto hits, TraceCounts& counts) {
       trace_on_device(false, rays, hits, counts);
     });
+  if (frustum_ && options_.device && !components_)
+    return std::make_unique<StreamPass>(*this, view, [this](auto rays, auto hits, TraceCounts& counts) {
+      frustum_->trace(false, rays, hits, counts);
+    });
   const FormulaMethodChoice& method = options_.method;
   if (method.pass == FormulaPass::none) return nullptr;
   // components are told from rays

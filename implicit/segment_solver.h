@@ -1,6 +1,7 @@
-// What solves the segments of a formula in place of this processor's kernels.
+// What solves the rays of a formula in place of this processor's kernels.
 #pragma once
 
+#include <isocast/implicit/frustum/ray_query.h>
 #include <isocast/implicit/solve/kernels.h>
 
 #include <memory>
@@ -31,6 +32,22 @@ struct SegmentSolverKey {
   friend bool operator==(const SegmentSolverKey&, const SegmentSolverKey&) = default;
 };
 
+/// FrustumKernels::solve_rays for many streams: roots[i] belongs to rays[i]. The query has the tape and the
+/// key's numbers that the solver was made for. Calls are const and may come from any thread.
+class RayFormSolver {
+ public:
+  virtual ~RayFormSolver() = default;
+  virtual void solve(const RayFormQuery& query, std::span<const RayFormStream* const> rays,
+                     std::span<RayFormRoots* const> roots) const = 0;
+};
+
+/// single: roots in float; degree: of the rays' polynomials.
+struct RayFormKey {
+  RootFinder finder;
+  bool single;
+  int degree, iso_count;
+};
+
 /// Something that solves formulas: a device.
 class FormulaDevice {
  public:
@@ -38,6 +55,8 @@ class FormulaDevice {
   /// Throws InputError where a formula cannot be compiled for want of a part of the system.
   [[nodiscard]] virtual std::unique_ptr<const SegmentSolver> solver_of(const SegmentSolverKey& key,
                                                                        const Tape& tape) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<const RayFormSolver> ray_form_solver_of(const RayFormKey& key,
+                                                                                const Tape& tape) const = 0;
 };
 
 }  // namespace isocast

@@ -41,8 +41,7 @@ template <class Grid> class Dresser {
         for (int a = 0; a < 3; ++a) dressed.position[a][first + l] = work_.world[a][l];
     const bool smooth = dressing_.normals == NormalKind::difference;
     if (wishes.value || (wishes.normal && !smooth)) load_corners(first);
-    if (wishes.value)
-      kernels.interpolate(dressing_.slope, dressing_.intercept, first, work_, dressed.value);
+    if (wishes.value) kernels.interpolate(dressing_.slope, dressing_.intercept, first, work_, dressed.value);
     if (!wishes.normal) return;
     if (smooth) difference(first);
     else kernels.differentiate(work_);
@@ -88,9 +87,9 @@ template <class Grid> class Dresser {
       for (int axis = 0; axis < 3; ++axis) {
         double g[8];
         for (int k = 0; k < 8; ++k)
-          g[k] = samples.difference({hits_.cell[0][i] + (k & 1), hits_.cell[1][i] + (k >> 1 & 1),
-                                     hits_.cell[2][i] + (k >> 2)},
-                                    axis);
+          g[k] = samples.difference(
+              {hits_.cell[0][i] + (k & 1), hits_.cell[1][i] + (k >> 1 & 1), hits_.cell[2][i] + (k >> 2)},
+              axis);
         work_.gradient[axis][l] = trilinear(g, p);
       }
     }

@@ -72,7 +72,8 @@ void turn(const double (&m)[3][4], const RayStream& rays, int first, const HitsT
     const Vec3<R> g = load3(dress.gradient, i);
     const auto world = [&](int c) { return R(m[0][c]) * g.x + R(m[1][c]) * g.y + R(m[2][c]) * g.z; };
     const Vec3<R> n = unit(Vec3<R>{world(0), world(1), world(2)});
-    const R along = dot(n, Vec3<R>{load<R>(rays.dx + slot), load<R>(rays.dy + slot), load<R>(rays.dz + slot)});
+    const R along =
+        dot(n, Vec3<R>{load<R>(rays.dx + slot), load<R>(rays.dy + slot), load<R>(rays.dz + slot)});
     const R sign = select(along > R(0), R(-1), R(1));
     store_masked(normal[0] + slot, mine, sign * n.x);
     store_masked(normal[1] + slot, mine, sign * n.y);

@@ -56,6 +56,7 @@ template <Real R> struct BezierLoops {
   void (*keep_left)(R* c, int d, R s);
   void (*keep_right)(R* c, int d, R s);
 };
+#ifndef ISO_DEGREE
 template <Real R, int kDegree>
 inline constexpr BezierLoops<R> kBezierLoops = {divide<kDegree, R>, keep_left<kDegree, R>,
                                                 keep_right<kDegree, R>};
@@ -66,13 +67,22 @@ inline constexpr BezierLoops<R> kBezierTable[kMostUnrolled + 1] = {
     kBezierLoops<R, 5>,  kBezierLoops<R, 6>,  kBezierLoops<R, 7>,  kBezierLoops<R, 8>,  kBezierLoops<R, 9>,
     kBezierLoops<R, 10>, kBezierLoops<R, 11>, kBezierLoops<R, 12>, kBezierLoops<R, 13>, kBezierLoops<R, 14>,
     kBezierLoops<R, 15>, kBezierLoops<R, 16>, kBezierLoops<R, 17>, kBezierLoops<R, 18>};
+#endif
 
 /// A polynomial of a degree up to kMostFormDegree.
 template <Real R> struct Bezier {
   int degree;
   R c[kMostFormDegree + 1];
 
-  const BezierLoops<R>& loops() const { return kBezierTable<R>[degree <= kMostUnrolled ? degree : 0]; }
+  BezierLoops<R> loops() const {
+#ifdef ISO_DEGREE
+    // compiled for one degree
+    return {isocast::divide<ISO_DEGREE, R>, isocast::keep_left<ISO_DEGREE, R>,
+            isocast::keep_right<ISO_DEGREE, R>};
+#else
+    return kBezierTable<R>[degree <= kMostUnrolled ? degree : 0];
+#endif
+  }
   void divide(R s, Bezier& left, Bezier& right) const {
     left.degree = right.degree = degree;
     loops().divide(c, degree, s, left.c, right.c);

@@ -4,6 +4,7 @@
 #include <isocast/implicit/expression/tape.h>
 #include <isocast/implicit/frustum/degree_tables.h>
 #include <isocast/implicit/frustum/kernels.h>
+#include <isocast/implicit/segment_solver.h>
 #include <isocast/isa/cpu.h>
 #include <isocast/math/box.h>
 #include <isocast/ray/primary_pass.h>
@@ -20,6 +21,7 @@ class View;
 /// finder     its eps is a share of the depth that a block, or a ray on its own, has in the domain
 /// proves     whether hits and misses come with proofs; above degree kMostFormDegree they are undecided then
 /// normals    hits of a pass carry the normals of its form (form_normal)
+/// device     what solves all rays, each by its own polynomial, if not this processor
 struct FrustumOptions {
   int degree = 0;
   std::vector<double> iso;
@@ -29,6 +31,7 @@ struct FrustumOptions {
   bool proves = true, normals = false;
   Isa isa = widest_isa();
   std::uint16_t object = 0;
+  std::shared_ptr<const FormulaDevice> device;
 };
 
 /// The normal that a hit carries, which may point to either side; nothing where it has none.
@@ -42,19 +45,28 @@ class FrustumTracer {
  public:
   FrustumTracer(const Tape& tape, const Box& domain, const FrustumOptions& options);
 
-  /// Null above degree kMostFormDegree, and where the domain is seen too small for forms; must not outlive
-  /// the tracer.
+  /// Null with a device, above degree kMostFormDegree, and where the domain is seen too small for forms; must
+  /// not outlive the tracer.
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const;
 
-  /// As Surface::first_hit, or Surface::next_hit. Each ray's polynomial comes from values along it; above
-  /// degree kMostFormDegree it comes in parts.
-  void trace(bool next, const RayStream& rays, HitStream& hits, TraceCounts& counts) const;
+  /// As Surface::first_hit, or Surface::next_hit, for many streams: hits[i] belongs to rays[i]. Each ray's
+  /// polynomial comes from values along it; above degree kMostFormDegree it comes in parts.
+  void trace(bool next, std::span<const RayStream> rays, std::span<HitStream* const> hits,
+             TraceCounts& counts) const;
 
  private:
+  struct Traced;
+  [[nodiscard]] RayFormQuery ray_query() const;
+  void begin(bool next, const RayStream& rays, HitStream& hits, Traced& traced) const;
+  [[nodiscard]] bool set_part(int part, Traced& traced, TraceCounts& counts) const;
+  void take_roots(Traced& traced, HitStream& hits) const;
+  void solve(std::span<Traced* const> streams) const;
+
   Tape tape_;
   Box domain_;
   FrustumOptions options_;
   DegreeMatrices ray_tables_;
+  std::unique_ptr<const RayFormSolver> solver_;  // of the device
 };
 
 }  // namespace isocast

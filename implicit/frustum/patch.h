@@ -3,11 +3,9 @@
 
 #include <isocast/implicit/frustum/block_query.h>
 #include <isocast/implicit/solve/inclusion.h>
-#include <isocast/math/pack.h>
+#include <isocast/math/native.h>
 
 namespace isocast::inline ISO_ISA {
-
-using Wide = Native<double>;
 
 /// The shape of b[j][k][i]: j counts v, k depth, i u; rows of i are filled up to whole registers.
 struct PatchShape {

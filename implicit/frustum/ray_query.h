@@ -35,7 +35,6 @@ struct RayFormRoots {
   float steps[kStreamSize];
   std::uint8_t iso[kStreamSize];
   bool hit[kStreamSize], proved[kStreamSize];
-  FrustumCounts counts;
 };
 
 }  // namespace isocast

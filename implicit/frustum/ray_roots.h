@@ -1,13 +1,13 @@
 // The polynomial of a ray from d + 1 values along it, and its first root.
 #pragma once
 
-#include <isocast/implicit/frustum/patch.h>
 #include <isocast/implicit/frustum/ray_query.h>
 #include <isocast/implicit/frustum/row_roots.h>
+#include <isocast/implicit/solve/inclusion.h>
 
 namespace isocast::inline ISO_ISA {
 
-/// Sixteen rays, kept while their iso-values are asked for one by one.
+/// kRow rays, kept while their iso-values are asked for one by one.
 template <class T> class RayForms {
  public:
   RayForms(const RayFormQuery& query, const RayFormStream& rays, RayFormRoots& roots, void* registers)
@@ -29,8 +29,6 @@ template <class T> class RayForms {
       roots_.proved[i] = query_.exact;
       roots_.steps[i] = 0;
       roots_.sides_at_far[i] = 0;
-      ++roots_.counts.solves;
-      roots_.counts.evaluations += query_.table.degree + 1;
     }
     for (int iso = 0; iso < query_.iso_count; ++iso) solve_iso(iso);
   }
@@ -145,14 +143,17 @@ template <class T> class RayForms {
   double c_[kPoints][kRow], off_[kRow], size_[kRow];
 };
 
+/// Rays first ... first + kRow - 1 of a stream; `registers` has room for four of Interval<Wide> a register.
 /// source  the polynomial of a ray from its values: design.md's fallback for rays that have no frustum
+inline void solve_row_of_forms(const RayFormQuery& query, const RayFormStream& rays, RayFormRoots& roots,
+                               int first, void* registers) {
+  if (query.single) RayForms<float>(query, rays, roots, registers).solve(first);
+  else RayForms<double>(query, rays, roots, registers).solve(first);
+}
 inline void solve_ray_forms(const RayFormQuery& query, const RayFormStream& rays, RayFormRoots& roots,
                             void* registers) {
-  roots.counts = {};
-  for (int first = 0; first < rays.size; first += kRow) {
-    if (query.single) RayForms<float>(query, rays, roots, registers).solve(first);
-    else RayForms<double>(query, rays, roots, registers).solve(first);
-  }
+  for (int first = 0; first < rays.size; first += kRow)
+    solve_row_of_forms(query, rays, roots, first, registers);
 }
 
 }  // namespace isocast::inline ISO_ISA

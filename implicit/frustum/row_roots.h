@@ -5,16 +5,29 @@
 #include <isocast/implicit/frustum/find_by_knots.h>
 #include <isocast/implicit/frustum/find_by_parts.h>
 #include <isocast/implicit/frustum/prove_root.h>
-#include <isocast/math/pack.h>
+#include <isocast/math/native.h>
 
 namespace isocast::inline ISO_ISA {
 
-/// Rays that are solved together.
+/// Rays that are solved together: a thread of a GPU has one.
+#ifdef ISO_ONE_RAY
+inline constexpr int kRow = 1;
+#else
 inline constexpr int kRow = 16;
+#endif
+
+/// The finder that is asked for: the compiler knows it where kernels are compiled for one (ISO_FINDER).
+inline RootFinder finder_of([[maybe_unused]] const FinderOptions& options) {
+#ifdef ISO_FINDER
+  return RootFinder(ISO_FINDER);
+#else
+  return options.finder;
+#endif
+}
 
 template <Real R>
 inline FirstRoot<R> find_first(const Bezier<R>& p, const FinderOptions& options, R eps, Mask<R> active) {
-  switch (options.finder) {
+  switch (finder_of(options)) {
     case RootFinder::mr: return find_by_knots<RootFinder::mr>(p, options, eps, active);
     case RootFinder::lr_mult: return find_by_parts<RootFinder::lr_mult>(p, options, eps, active);
     case RootFinder::mr_mult: return find_by_knots<RootFinder::mr_mult>(p, options, eps, active);

@@ -4,6 +4,16 @@
 
 namespace isocast {
 
+namespace {
+
+// What follows a hit is looked for from there on.
+const RayStream& from_start(RayStream& part, const RayStream& rays) {
+  std::ranges::copy(rays.t_min, part.t_min);
+  return part;
+}
+
+}  // namespace
+
 ClippedSurface::ClippedSurface(std::shared_ptr<const Surface> surface,
                                std::vector<std::shared_ptr<const Region>> regions, std::uint16_t object)
     : surface_(std::move(surface)), regions_(std::move(regions)), object_(object) {}
@@ -85,12 +95,24 @@ void ClippedSurface::pass_over(const RayStream& rays, HitStream& hits, TraceCoun
   }
 }
 
+// The part of the rays that may lie in the regions; null where none of them can tell.
+std::unique_ptr<RayStream> ClippedSurface::narrowed(const RayStream& rays) const {
+  std::unique_ptr<RayStream> part;
+  for (const std::shared_ptr<const Region>& region : regions_) {
+    if (!region->narrows()) continue;
+    if (!part) part = std::make_unique<RayStream>(rays);
+    region->narrow(*part);
+  }
+  return part;
+}
+
 void ClippedSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   HitStream own;
   clear(own);
   if (proves()) std::ranges::fill(own.certificate, Certificate::proved_miss);
-  surface_->first_hit(rays, own, counts);
-  pass_over(rays, own, counts);
+  const std::unique_ptr<RayStream> part = narrowed(rays);
+  surface_->first_hit(part ? *part : rays, own, counts);
+  pass_over(part ? from_start(*part, rays) : rays, own, counts);
   for (int i = 0; i < rays.size; ++i) {
     hits.cost[i] += own.cost[i];
     if (own.t[i] < hits.t[i]) copy_slot(own, hits, i);
@@ -99,8 +121,10 @@ void ClippedSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCoun
 }
 
 void ClippedSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
-  surface_->next_hit(rays, hits, counts);
-  pass_over(rays, hits, counts);
+  const std::unique_ptr<RayStream> part = narrowed(rays);
+  const RayStream& ahead = part ? from_start(*part, rays) : rays;
+  surface_->next_hit(ahead, hits, counts);
+  pass_over(ahead, hits, counts);
 }
 
 }  // namespace isocast

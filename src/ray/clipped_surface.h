@@ -11,7 +11,8 @@
 namespace isocast {
 
 /// What lies in all of the regions: of the crossings of a ray with the surface the others are passed over.
-/// The regions are looked at where the surface was hit and nowhere else. What is cut open stays open.
+/// The regions are looked at where the surface was hit; and rays are cut before to where the regions that
+/// can tell may be (Region::narrow). What is cut open stays open.
 ///
 /// proofs  as the surface's; a hit is proved where it is sure to lie inside, and what is passed over before
 /// it
@@ -39,6 +40,8 @@ class ClippedSurface final : public Surface {
   void follow(const RayStream& rays, Stretch (&stretches)[kStreamSize], HitStream& open,
               TraceCounts& counts) const;
   void pass_over(const RayStream& rays, HitStream& hits, TraceCounts& counts) const;
+
+  [[nodiscard]] std::unique_ptr<RayStream> narrowed(const RayStream& rays) const;
 
   std::shared_ptr<const Surface> surface_;
   std::vector<std::shared_ptr<const Region>> regions_;

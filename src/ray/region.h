@@ -17,6 +17,11 @@ class Region {
 
   /// For every slot that holds a hit, where its point lies.
   virtual void locate(const RayStream& rays, const HitStream& hits, Place (&places)[kStreamSize]) const = 0;
+
+  /// Whether `narrow` can tell anything.
+  [[nodiscard]] virtual bool narrows() const { return false; }
+  /// Cuts t_min and t_max of rays down to a part outside of which the ray is outside the solid for sure.
+  virtual void narrow(RayStream& /*rays*/) const {}
 };
 
 }  // namespace isocast

@@ -31,7 +31,8 @@ Color lit(const Material& surface, const Double3& normal, const Double3& to_ligh
   const auto [facing, highlight] = incidence(vec(normal), vec(to_light), vec(to_eye));
   Color color;
   for (int c = 0; c < 3; ++c)
-    color[c] = lit(surface.color[c], surface.specular, static_cast<float>(facing), static_cast<float>(highlight));
+    color[c] =
+        lit(surface.color[c], surface.specular, static_cast<float>(facing), static_cast<float>(highlight));
   return color;
 }
 

@@ -43,7 +43,7 @@ else
 fi
 export ISOCAST_CUDA_ENGINE=host
 pictures
-expect 2 "no kernels for --method frustum-lr" render @tangle --method frustum-lr --isa cuda -o a.png
+expect 2 "no kernels for --method beam-adaptive" render @tangle --method beam-adaptive --isa cuda -o a.png
 expect 2 "solves them one by one" render @tangle --method interval --set bisection=k --isa cuda -o a.png
 expect 2 "expected an INPUT" bench cells --isa cuda -o bench
 expect 0 "" bench @tangle --isa cuda --quick --size 24x16 --method interval,affine --cache none -o bench

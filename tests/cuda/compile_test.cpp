@@ -43,11 +43,24 @@ TEST_CASE("every solver compiles to machine code within its budget", "[property]
   for (const auto& [method, name] : kSolvers)
     for (const bool precise : {false, true}) {
       if (precise && test::cases(0, 1) == 0) continue;
-      const CompiledProgram program = compile_formula({method, precise, false, 1}, tape, "sm_90");
+      const CompiledProgram program =
+          compile_formula(source_of(SegmentSolverKey{method, precise, false, 1}), tape, "sm_90");
       const auto kernels = kernels_in(program.log, "sm_90");
       REQUIRE(kernels.size() == 1);
       require_within(budgets, fmt::format("{}_{}", name, precise ? "double" : "float"),
                      kernels.begin()->second);
+    }
+}
+
+TEST_CASE("every root finder compiles to machine code", "[property]") {
+  if (!has_compiler()) return;
+  const Tape tape = tape_of(require_surface("tangle"));
+  for (int finder = 0; finder < 6; ++finder)
+    for (const bool single : {true, false}) {
+      if (test::cases(0, 1) == 0 && (!single || finder % 3 != 0)) continue;
+      const CompiledProgram program =
+          compile_formula(source_of(RayFormKey{RootFinder(finder), single, 4, 1}), tape, "sm_90");
+      CHECK(kernels_in(program.log, "sm_90").size() == 1);
     }
 }
 
@@ -57,8 +70,8 @@ TEST_CASE("every surface of the catalogue compiles to PTX", "[property]") {
     // quickly, some of them; the texts of all are compiled in expressions_test.cpp
     if (test::cases(0, 1) == 0 && surface.id.size() % 8 != 0) continue;
     INFO(surface.id);
-    const CompiledProgram program =
-        compile_formula({FormulaMethod::affine, false, false, 2}, tape_of(surface), "compute_75");
+    const CompiledProgram program = compile_formula(
+        source_of(SegmentSolverKey{FormulaMethod::affine, false, false, 2}), tape_of(surface), "compute_75");
     const std::string ptx(program.code.begin(), program.code.end());
     REQUIRE(ptx.find(kFormulaKernel) != std::string::npos);
   }

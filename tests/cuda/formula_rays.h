@@ -1,6 +1,7 @@
 // Rays through a formula's domain, solved one by one, and what two surfaces may say of them.
 #pragma once
 
+#include <isocast/implicit/expression/catalogue.h>
 #include <isocast/implicit/implicit_surface.h>
 
 #include <catch2/catch.hpp>
@@ -25,7 +26,13 @@ inline const std::vector<FormulaChoice>& formula_choices() {
       {"mitchell", {{"beams", "0"}, {"prune", "0"}}},
       {"interval-newton", {{"beams", "0"}, {"prune", "0"}}},
       {"amp-sign", {{"prune", "0"}}},
-      {"amp-taylor", {{"prune", "0"}}}};
+      {"amp-taylor", {{"prune", "0"}}},
+      {"frustum-lr", {}},
+      {"frustum-mr", {}},
+      {"frustum-lr-mult", {}},
+      {"frustum-mr-mult", {}},
+      {"frustum-schneider", {}},
+      {"frustum-clip", {}}};
   return choices;
 }
 
@@ -71,6 +78,14 @@ inline void require_no_contradiction(const Streams& a, const Streams& b) {
     if (one != Certificate::proved_hit || other != Certificate::proved_hit) continue;
     REQUIRE(a.hits.t_lo[i] <= b.hits.t_hi[i]);
     REQUIRE(b.hits.t_lo[i] <= a.hits.t_hi[i]);
+  }
+}
+
+// A choice that the surface's formula can have.
+inline const FormulaChoice& random_choice(std::mt19937_64& random, const CatalogueSurface& surface) {
+  for (;;) {
+    const FormulaChoice& choice = formula_choices()[random() % formula_choices().size()];
+    if (surface.degree || !choose_formula_method(choice.method, choice.values).has_form()) return choice;
   }
 }
 

@@ -1,12 +1,16 @@
 // Solids cut surfaces at their crossings: held against the reference's roots and the solid's formula there.
+#include <fmt/format.h>
 #include <implicit/framed_rays.h>
 #include <isocast/implicit/expression/parse.h>
+#include <isocast/implicit/expression/simplify.h>
 #include <isocast/implicit/formula_region.h>
 #include <isocast/implicit/implicit_surface.h>
 #include <isocast/ray/clipped_surface.h>
 #include <test_size.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
 #include <vector>
 
 using namespace isocast;
@@ -139,4 +143,128 @@ TEST_CASE("clipped crossings are the reference's that lie in the solid, in order
   });
   CHECK(checked > 1500);
   CHECK(undecided < 0.05 * checked);
+}
+
+namespace {
+
+// A solid that only tells where hits lie.
+class Plain final : public Region {
+ public:
+  explicit Plain(std::shared_ptr<const Region> solid) : solid_(std::move(solid)) {}
+  void locate(const RayStream& rays, const HitStream& hits, Place (&places)[kStreamSize]) const override {
+    solid_->locate(rays, hits, places);
+  }
+
+ private:
+  std::shared_ptr<const Region> solid_;
+};
+
+}  // namespace
+
+TEST_CASE("rays that are cut to planes and balls first show what they show otherwise, for less",
+          "[property]") {
+  const char* const kTangle = "x^4-5*x^2+y^4-5*y^2+z^4-5*z^2+11.8";
+  const std::vector<std::vector<std::string>> solids = {{"x+0.3*y-0.1"},
+                                                        {"x^2+y^2+z^2-4.5"},
+                                                        {"0.2-z", "(x-1)^2+y^2+(z-1)^2-3"},
+                                                        {"0.3-x", "x-0.1"},
+                                                        {"1-x^2-y^2-z^2"}};
+  for (const char* method : {"frustum-lr", "affine", "mitchell"}) {
+    ImplicitSurfaceOptions options;
+    options.method = choose_formula_method(method, {});
+    options.double_precision = true;
+    const auto tangle = std::make_shared<ImplicitSurface>(parse_expression(kTangle), kBox, options);
+    for (std::size_t k = 0; k < solids.size(); ++k) {
+      std::vector<std::shared_ptr<const Region>> cutting, plain;
+      for (const std::string& solid : solids[k]) {
+        cutting.push_back(std::make_shared<FormulaRegion>(parse_expression(solid)));
+        plain.push_back(std::make_shared<Plain>(cutting.back()));
+      }
+      const ClippedSurface cut(tangle, cutting, 0), whole(tangle, plain, 0);
+      INFO(method << " in solids " << k);
+      int hit = 0, open = 0, rays_seen = 0;
+      TraceCounts cut_work, whole_work;
+      each_tile(tangle->bounds(), static_cast<int>(cases(48, 256)), [&](const RayStream& rays) {
+        HitStream a, b;
+        for (HitStream* const hits : {&a, &b}) {
+          clear(*hits);
+          std::ranges::fill(hits->certificate, Certificate::proved_miss);
+        }
+        cut.first_hit(rays, a, cut_work);
+        whole.first_hit(rays, b, whole_work);
+        for (int step = 0; step < 2; ++step) {
+          for (int i = 0; i < rays.size; ++i) {
+            ++rays_seen;
+            if (a.certificate[i] == Certificate::undecided || b.certificate[i] == Certificate::undecided) {
+              ++open;
+              forget(a, i), forget(b, i);
+              continue;
+            }
+            INFO("ray " << i << ", crossing " << step);
+            REQUIRE(is_hit(a, i) == is_hit(b, i));
+            if (!is_hit(a, i)) continue;
+            ++hit;
+            REQUIRE(a.t_lo[i] <= b.t_hi[i]);
+            REQUIRE(b.t_lo[i] <= a.t_hi[i]);
+            REQUIRE(a.sides[i] == b.sides[i]);
+          }
+          cut.next_hit(rays, a, cut_work);
+          whole.next_hit(rays, b, whole_work);
+        }
+      });
+      CHECK(open <= 0.01 * rays_seen);
+      if (k == 3) CHECK(cut_work.evaluations == 0);
+      else CHECK(hit > 150);
+      if (k < 4) CHECK(cut_work.evaluations < whole_work.evaluations);
+      else CHECK(cut_work.evaluations == whole_work.evaluations);
+    }
+  }
+}
+
+TEST_CASE("the part of a line in a quadric holds all that lies in it, and little more") {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto quadric = [](const std::string& text) {
+    return Quadric::of(make_tape(simplify(parse_expression(text))), 0);
+  };
+  for (const char* text : {"x*y*z", "sin(x)", "x^3", "1/x", "sqrt(x)"}) CHECK_FALSE(quadric(text));
+  CHECK_FALSE(quadric("1e308*(x^2+y^2+z^2)*10"));
+  for (int n = 0; n < 20000; ++n) {
+    const auto number = [&] { return unit(random) * std::ldexp(1.0, static_cast<int>(random() % 20) - 10); };
+    const Double3 o = {number(), number(), number()}, center = {number(), number(), number()};
+    Double3 d = {unit(random), unit(random), unit(random)};
+    for (double& x : d)
+      if (random() % 6 == 0) x = 0;
+    const double r = std::abs(number());
+    const bool ball = n % 2 == 0;
+    const auto text =
+        ball ? fmt::format("(x-({}))^2+(y-({}))^2+(z-({}))^2-{}", center[0], center[1], center[2], r * r)
+             : fmt::format("({})*x+({})*y+({})*z-({})", center[0], center[1], center[2], r);
+    const auto solid = quadric(text);
+    REQUIRE(solid);
+    const LinePart part = solid->inside(o, d);
+    INFO(text << " from " << o[0] << " " << o[1] << " " << o[2] << " along " << d[0] << " " << d[1] << " "
+              << d[2]);
+    const auto value = [&](double t) {
+      const Double3 p = o + t * d, q = p - center;
+      return ball ? dot(q, q) - r * r : dot(center, p) - r;
+    };
+    const auto clearly = [&](double t) {
+      const Double3 p = o + t * d;
+      return 1e-12 * (dot(p, p) + dot(center, center) + r * r + length(center) * length(p) + r);
+    };
+    if (part.lo <= part.hi && dot(d, d) > 0) {
+      // just beyond the ends it is outside, and just before them it is not by much
+      for (const double end : {part.lo, part.hi})
+        if (std::abs(end) < 1e6)
+          REQUIRE(std::abs(value(end)) <= 1e5 * clearly(end) + 1e-9 * std::abs(end) * dot(d, d));
+    }
+    for (int k = 0; k < 8; ++k) {
+      const double t = number();
+      if (value(t) < -clearly(t)) {
+        REQUIRE(part.lo <= t);
+        REQUIRE(t <= part.hi);
+      }
+    }
+  }
 }

@@ -35,34 +35,90 @@ void add_row(std::uint32_t active, int y, int z, BrickMask& mask) {
   for (int x = 0; x < 4; ++x) mask.cells[block + x] |= std::uint64_t(active >> 4 * x & 15) << shift;
 }
 
+constexpr int kStrips = 4;  // along each axis
+
+// Where a brick's samples are, and how many cells it has along each axis.
+template <class S> struct BrickRows {
+  const S* corner;
+  std::size_t row, slice;
+  int cells[3];
+
+  BrickRows(const GridView& grid, const std::int32_t (&first)[3]) {
+    row = std::size_t(grid.dims[0]);
+    slice = row * std::size_t(grid.dims[1]);
+    corner = static_cast<const S*>(grid.samples) + std::size_t(first[2]) * slice +
+             std::size_t(first[1]) * row + std::size_t(first[0]);
+    for (int a = 0; a < 3; ++a) cells[a] = std::min(kBrickSize, grid.dims[a] - 1 - first[a]);
+  }
+  [[nodiscard]] const S* at(int y, int z) const {
+    return corner + std::size_t(z) * slice + std::size_t(y) * row;
+  }
+};
+
+// The strips of four blocks along x, number y + 4 z, of which the ranges say that some block may hold active
+// cells.
+template <class S>
+std::uint32_t active_strips(const DenseGrid<S>& dense, const VolumeQuery& query,
+                            const std::int32_t (&brick)[3]) {
+  constexpr int kFine = kMacroLevels - 1;
+  static_assert(kMacroLevels == 2);
+  const MacroLevel& level = query.grid.levels[kFine];
+  typename DenseGrid<S>::Place place;
+  std::int32_t end[3];
+  for (int a = 0; a < 3; ++a) end[a] = std::min((brick[a] + 1) * kStrips, level.dims[a]);
+  std::uint32_t strips = 0;
+  for (std::int32_t z = brick[2] * kStrips; z < end[2]; ++z)
+    for (std::int32_t y = brick[1] * kStrips; y < end[1]; ++y) {
+      bool active = false;
+      for (std::int32_t x = brick[0] * kStrips; x < end[0]; ++x)
+        active = active | dense.block_active(kFine, {x, y, z}, place);
+      strips |= std::uint32_t(active) << (y % kStrips + z % kStrips * kStrips);
+    }
+  return strips;
+}
+
+// Asks memory for the samples of a strip.
+template <class S> void prefetch_strip(const BrickRows<S>& rows, int strip) {
+  const int y0 = strip % kStrips * 4, z0 = strip / kStrips * 4;
+  for (int z = z0; z <= std::min(z0 + 4, rows.cells[2]); ++z)
+    for (int y = y0; y <= std::min(y0 + 4, rows.cells[1]); ++y) {
+      __builtin_prefetch(rows.at(y, z));
+      __builtin_prefetch(rows.at(y, z) + rows.cells[0]);
+    }
+}
+
 // Row by row: a cell is active where some of its corners lie below the key and some do not.
 template <class S>
-void fill_mask(const DenseGrid<S>& dense, const VolumeQuery& query, int iso, const std::int32_t (&first)[3],
-               BrickMask& mask) {
-  const std::int32_t brick[3] = {first[0] >> kBrickShift, first[1] >> kBrickShift, first[2] >> kBrickShift};
-  typename DenseGrid<S>::Place place;
-  if (!dense.block_active(0, brick, place)) return;
-  const GridView& grid = query.grid;
-  const auto key = static_cast<typename SampleTraits<S>::Key>(query.key[iso]);
-  const std::size_t row = std::size_t(grid.dims[0]), slice = row * std::size_t(grid.dims[1]);
-  const S* corner = static_cast<const S*>(grid.samples) + std::size_t(first[2]) * slice +
-                    std::size_t(first[1]) * row + std::size_t(first[0]);
-  int cells[3];  // per axis
-  for (int a = 0; a < 3; ++a) cells[a] = std::min(kBrickSize, grid.dims[a] - 1 - first[a]);
-  const std::uint32_t inside = (1u << cells[0]) - 1;
-  std::uint32_t below[2][kBrickSize + 1];
-  for (int z = 0; z <= cells[2]; ++z) {
+void fill_strip(const BrickRows<S>& rows, int strip, typename SampleTraits<S>::Key key, BrickMask& mask) {
+  const int y0 = strip % kStrips * 4, z0 = strip / kStrips * 4, y1 = std::min(y0 + 4, rows.cells[1]),
+            z1 = std::min(z0 + 4, rows.cells[2]);
+  const std::uint32_t inside = (1u << rows.cells[0]) - 1;
+  std::uint32_t below[2][5];
+  for (int z = z0; z <= z1; ++z) {
     const auto& last = below[~z & 1];
     auto& now = below[z & 1];
-    for (int y = 0; y <= cells[1]; ++y)
-      now[y] = row_below(corner + std::size_t(z) * slice + std::size_t(y) * row, cells[0] + 1, key);
-    if (z == 0) continue;
-    for (int y = 0; y < cells[1]; ++y) {
-      const std::uint32_t any = last[y] | last[y + 1] | now[y] | now[y + 1],
-                          all = last[y] & last[y + 1] & now[y] & now[y + 1];
+    for (int y = y0; y <= y1; ++y) now[y - y0] = row_below(rows.at(y, z), rows.cells[0] + 1, key);
+    if (z == z0) continue;
+    for (int y = y0; y < y1; ++y) {
+      const int i = y - y0;
+      const std::uint32_t any = last[i] | last[i + 1] | now[i] | now[i + 1],
+                          all = last[i] & last[i + 1] & now[i] & now[i + 1];
       const std::uint32_t active = (any | any >> 1) & ~(all & all >> 1) & inside;
       if (active) add_row(active, y, z - 1, mask);
     }
+  }
+}
+
+template <class S>
+void fill_mask(const DenseGrid<S>& dense, const VolumeQuery& query, int iso, const std::int32_t (&first)[3],
+               BrickMask& mask) {
+  const BrickRows<S> rows(query.grid, first);
+  const auto key = static_cast<typename SampleTraits<S>::Key>(query.key[iso]);
+  std::uint32_t rest = active_strips(
+      dense, query, {first[0] >> kBrickShift, first[1] >> kBrickShift, first[2] >> kBrickShift});
+  for (; rest; rest &= rest - 1) {
+    if (const std::uint32_t next = rest & (rest - 1)) prefetch_strip(rows, std::countr_zero(next));
+    fill_strip(rows, std::countr_zero(rest), key, mask);
   }
 }
 

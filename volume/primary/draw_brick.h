@@ -107,21 +107,24 @@ inline void list_boxes(const DrawContext& context, std::uint64_t bits, const std
   list.size = n;
 }
 
-/// Queues the rays of a box of pixels that may cross a cell, window by window. The cell is fetched when the
-/// first is found.
+/// Queues the rays of a box of pixels that may cross cell number `number` of a block, window by window. The
+/// cell is fetched when the first is found.
 template <class T, bool kOrthographic>
-inline void draw_cell(const DrawContext& context, const std::int32_t (&at)[3], const PixelBox& pixels) {
+inline void draw_cell(const DrawContext& context, const std::int32_t (&first)[3], const QuickBlock& block,
+                      int number, const PixelBox& pixels) {
   using R = Native<float>;
   PatchState& patch = context.patch;
   PairQueue& queue = patch.queue;
-  const QuickCell quick = quick_cell<kOrthographic>(patch.look, at);
+  const int place[3] = {place_in_cube(number, 0), place_in_cube(number, 1), place_in_cube(number, 2)};
   int slot = -1;
   for (int y = pixels.y_lo; y <= pixels.y_hi; y += kRows<R>)
     for (int x = pixels.x_lo; x <= pixels.x_hi; x += kColumns<R>) {
       const int ray = y * kPatchPitch + x;
-      const unsigned bits = rays_across<kOrthographic>(patch, quick, ray) & window_lanes<R>(pixels, x, y);
+      const unsigned bits =
+          rays_across<kOrthographic>(patch, block, place, ray) & window_lanes<R>(pixels, x, y);
       if (bits == 0) continue;
       if (slot < 0) {
+        const std::int32_t at[3] = {first[0] + place[0], first[1] + place[1], first[2] + place[2]};
         T f[1][8];
         FetchedCell state;
         fetch_cells(context.query, context.iso, &at, 1, f, &state);
@@ -141,16 +144,13 @@ inline void draw_block(const DrawContext& context, std::uint64_t bits, const std
   BoxList cells;
   list_boxes(context, bits, first, 1, flip, cells);
   context.counts.cells += __builtin_popcountll(bits);
-  for (int i = 0; i < cells.size; ++i) {
-    std::int32_t at[3];
-    for (int a = 0; a < 3; ++a) at[a] = first[a] + place_in_cube(cells.number[i], a);
-    draw_cell<T, kOrthographic>(context, at, pixels_of(cells, i));
-  }
+  const QuickBlock block = quick_block<kOrthographic>(context.patch.look, first);
+  for (int i = 0; i < cells.size; ++i)
+    draw_cell<T, kOrthographic>(context, first, block, cells.number[i], pixels_of(cells, i));
 }
 
 template <class T, bool kOrthographic>
 inline void draw_brick(const DrawContext& context, const std::int32_t (&first)[3], const BrickMask& mask) {
-  constexpr int kBlock = 4;
   int flip = 0;
   for (int a = 0; a < 3; ++a) {
     const double eye = context.map.eye[a],
@@ -158,12 +158,12 @@ inline void draw_brick(const DrawContext& context, const std::int32_t (&first)[3
     flip |= eye > middle ? 3 << 2 * a : 0;
   }
   BoxList blocks;
-  list_boxes(context, mask.blocks, first, kBlock, flip, blocks);
+  list_boxes(context, mask.blocks, first, kBlockCells, flip, blocks);
   context.counts.macrocells += __builtin_popcountll(mask.blocks);
   for (int i = 0; i < blocks.size; ++i) {
     if (hidden(context.patch, pixels_of(blocks, i), blocks.nearest[i])) continue;
     std::int32_t at[3];
-    for (int a = 0; a < 3; ++a) at[a] = first[a] + kBlock * place_in_cube(blocks.number[i], a);
+    for (int a = 0; a < 3; ++a) at[a] = first[a] + kBlockCells * place_in_cube(blocks.number[i], a);
     prefetch_block(context.query, at);
     draw_block<T, kOrthographic>(context, mask.cells[blocks.number[i]], at, flip);
   }

@@ -111,8 +111,8 @@ void VolumePass::write_tile(int x0, int y0, const PatchState& patch, BlockHits& 
   const int tx = (patch.x + x0) / kTileSize, ty = (patch.y + y0) / kTileSize;
   HitStream& tile = hits.tile(tx % kBlockTiles, ty % kBlockTiles);
   RayStream rays;
-  const bool need_rays = walk || query_.iso_count > 1;
-  if (need_rays) view_.fill(tx, ty, patch.offset_u, patch.offset_v, rays);
+  const bool several = query_.iso_count > 1;
+  if (walk || several) view_.fill(tx, ty, patch.offset_u, patch.offset_v, rays);
   for (int y = 0; y < rows; ++y)
     for (unsigned rest = row(patch.met, y) & ~row(patch.walk, y); rest; rest &= rest - 1) {
       const int x = std::countr_zero(rest), slot = slot_of(x, y);
@@ -121,8 +121,10 @@ void VolumePass::write_tile(int x0, int y0, const PatchState& patch, BlockHits& 
                              hit.s_lo, hit.s_hi,     {hit.cell[0], hit.cell[1], hit.cell[2]},
                              hit.iso,  hit.undecided};
       if (!(root_t(root) < tile.t[slot])) continue;
-      write_hit(query_, root,
-                sides_of_root(query_, rays, slot, root.cell, hit.iso, hit.behind, hit.undecided), tile, slot);
+      const std::uint32_t sides =
+          several ? sides_of_root(query_, rays, slot, root.cell, hit.iso, hit.behind, hit.undecided)
+                  : hit.behind == hit.undecided;
+      write_hit(query_, root, sides, tile, slot);
     }
   if (!walk) return;
   for (int y = 0; y < kTileSize; ++y)

@@ -38,50 +38,54 @@ template <Real R> inline R load_window(const float* rays, int at) {
 #endif
 }
 
-/// Behind the planes of a cell along each axis, as far as rays that start at `corner` can see in float.
-struct QuickCell {
-  float low[3], high[3];
-};
-
 /// What float may be off by: some roundings of a product, or of a difference of numbers no larger than
 /// `reach`.
 inline constexpr float kQuickFactor = 1 + 0x1p-20f, kQuickTiny = 0x1p-70f;
 inline constexpr double kQuickSlack = 0x1p-20;
 
-/// Perspective: the planes relative to the eye. Orthographic: where the ray of the patch's corner meets them,
-/// moved outward; nowhere along axes that a first look cannot use.
+/// Cells of a block per axis.
+inline constexpr int kBlockCells = 4;
+
+/// The planes before and behind the cells of a block along each axis, as far as rays can see them in float.
+/// Perspective: relative to the eye. Orthographic: where the ray of the patch's corner meets them, moved
+/// outward; nowhere along axes that a first look cannot use.
+struct QuickBlock {
+  float low[3][kBlockCells], high[3][kBlockCells];
+};
 template <bool kOrthographic>
-inline QuickCell quick_cell(const PatchLook& rays, const std::int32_t (&cell)[3]) {
-  QuickCell quick;
-  for (int a = 0; a < 3; ++a) {
-    const double k = double(cell[a]);
-    if constexpr (!kOrthographic) {
-      quick.low[a] = float(k - rays.shared[a]);
-      quick.high[a] = float(k + 1 - rays.shared[a]);
-    } else if (rays.shared_quick[a] == 0) {
-      quick.low[a] = -__builtin_inff();
-      quick.high[a] = __builtin_inff();
-    } else {
-      const double low = (k - rays.corner[a]) * rays.shared_quick[a],
-                   high = (k + 1 - rays.corner[a]) * rays.shared_quick[a],
-                   slack = kQuickSlack * (abs(low) + abs(high) + rays.reach[a]) + double(kQuickTiny);
-      quick.low[a] = float(min(low, high) - slack);
-      quick.high[a] = float(max(low, high) + slack);
+inline QuickBlock quick_block(const PatchLook& look, const std::int32_t (&first)[3]) {
+  QuickBlock quick;
+  for (int a = 0; a < 3; ++a)
+    for (int i = 0; i < kBlockCells; ++i) {
+      const double k = double(first[a] + i);
+      if constexpr (!kOrthographic) {
+        quick.low[a][i] = float(k - look.shared[a]);
+        quick.high[a][i] = float(k + 1 - look.shared[a]);
+      } else if (look.shared_quick[a] == 0) {
+        quick.low[a][i] = -__builtin_inff();
+        quick.high[a][i] = __builtin_inff();
+      } else {
+        const double low = (k - look.corner[a]) * look.shared_quick[a],
+                     high = (k + 1 - look.corner[a]) * look.shared_quick[a],
+                     slack = kQuickSlack * (abs(low) + abs(high) + look.reach[a]) + double(kQuickTiny);
+        quick.low[a][i] = float(min(low, high) - slack);
+        quick.high[a][i] = float(max(low, high) + slack);
+      }
     }
-  }
   return quick;
 }
 
-/// The rays of the window whose first ray is number `at` that may cross the cell before their nearest root:
-/// all that do, and few others.
+/// The rays of the window whose first ray is number `at` that may cross a cell of a block before their
+/// nearest root: all that do, and few others. place: of the cell in the block.
 template <bool kOrthographic>
-inline unsigned rays_across(const PatchState& patch, const QuickCell& cell, int at) {
+inline unsigned rays_across(const PatchState& patch, const QuickBlock& block, const int (&place)[3], int at) {
   using R = Native<float>;
   R near[3], far[3];
   for (int a = 0; a < 3; ++a) {
     const R ray = load_window<R>(patch.look.quick[a], at);
-    const R low = kOrthographic ? R(cell.low[a]) - ray : R(cell.low[a]) * ray,
-            high = kOrthographic ? R(cell.high[a]) - ray : R(cell.high[a]) * ray;
+    const R before = R(block.low[a][place[a]]), behind = R(block.high[a][place[a]]),
+            low = kOrthographic ? before - ray : before * ray,
+            high = kOrthographic ? behind - ray : behind * ray;
     near[a] = kOrthographic ? low : min(low, high);
     far[a] = kOrthographic ? high : max(low, high);
   }
