@@ -106,15 +106,9 @@ class ReimersPicture {
     std::vector<HitStream> hits(sampled_.size());
     clear(hits);
     for (std::size_t n = 0; n < places_.size(); ++n)
-      copy_slot(hits_[places_[n].first], hits[n / kStreamSize], places_[n].second,
+      copy_slot(hits_[places_[n].first], places_[n].second, hits[n / kStreamSize],
                 static_cast<int>(n % kStreamSize));
     return hits;
-  }
-  static void copy_slot(const HitStream& from, HitStream& to, int i, int n) {
-    to.t[n] = from.t[i], to.t_lo[n] = from.t_lo[i], to.t_hi[n] = from.t_hi[i];
-    to.s[n] = from.s[i], to.s_hi[n] = from.s_hi[i];
-    to.object[n] = from.object[i], to.iso[n] = from.iso[i];
-    to.certificate[n] = from.certificate[i];
   }
 
   Row judged(const FinderWay& way) const {

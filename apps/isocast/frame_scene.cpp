@@ -53,8 +53,10 @@ void FrameScene::go_to(const FrameJob& job) {
     built_from_ = take_files_read();
   } else
     for (std::size_t i = 0; i < next.objects.size(); ++i)
-      if (!next.objects[i].iso.empty() && next.objects[i].iso != description_.objects[i].iso)
+      if (!next.objects[i].iso.empty() && next.objects[i].iso != description_.objects[i].iso) {
         built_->set_iso(i, next.objects[i].iso, next.objects[i].materials);
+        built_->choose_method(i);
+      }
   description_ = std::move(next);
 }
 

@@ -80,10 +80,10 @@ void use_evaluation(const EvaluationSettings& evaluation, ImplicitSurfaceOptions
 }
 
 // A surface made with these options, which its iso-values and its method may change in later. choose: the
-// row of the method table; adapt: the options to other iso-values, and returns the method's name.
-template <class SurfaceKind, class Options, class Choose, class Adapt>
-void use(ObjectSurface& object, const std::shared_ptr<SurfaceKind>& surface, const Options& options,
-         Choose choose, Adapt adapt) {
+// row of the method table. Returns the options as they are at any time.
+template <class SurfaceKind, class Options, class Choose>
+std::shared_ptr<Options> use(ObjectSurface& object, const std::shared_ptr<SurfaceKind>& surface,
+                             const Options& options, Choose choose) {
   BuiltObject& built = object.built;
   object.surface = surface;
   built.iso = options.iso;
@@ -91,9 +91,7 @@ void use(ObjectSurface& object, const std::shared_ptr<SurfaceKind>& surface, con
   const auto current = std::make_shared<Options>(options);
   built.move_surface = [=](const std::vector<double>& iso) {
     current->iso = iso;
-    const std::string method = adapt(*current);
     surface->set_options(*current);
-    return method;
   };
   built.change_method = [=](const std::string& name, const std::map<std::string, std::string>& settings,
                             const EvaluationSettings& evaluation) {
@@ -101,6 +99,7 @@ void use(ObjectSurface& object, const std::shared_ptr<SurfaceKind>& surface, con
     use_evaluation(evaluation, *current);
     surface->set_options(*current);
   };
+  return current;
 }
 
 void build(ObjectSurface& object, const VolumeSource& source, const ObjectDescription& wanted,
@@ -130,9 +129,7 @@ void build(ObjectSurface& object, const VolumeSource& source, const ObjectDescri
   built.volume_bytes = volume->bytes();
   built.acceleration_bytes = static_cast<std::int64_t>(surface->acceleration_bytes());
   built.mask_use = [surface] { return surface->mask_use(); };
-  use(object, surface, options, choose_cell_method, [](const VolumeSurfaceOptions& now) {
-    return std::string(volume_methods()[static_cast<std::size_t>(now.method.method)].name);
-  });
+  use(object, surface, options, choose_cell_method);
   object.above = true;
   if (!volume->tree)
     object.solid = {
@@ -178,11 +175,13 @@ void build(ObjectSurface& object, const FormulaSource& source, const ObjectDescr
   const auto start = Clock::now();
   const auto surface = std::make_shared<ImplicitSurface>(source.expression, source.domain, options);
   built.build_ms = ms_since(start);
-  // chosen again for other iso-values: a frame does not depend on those before it
-  use(object, surface, options, choose_formula_method, [=](ImplicitSurfaceOptions& now) {
-    if (automatic) choose(now);
-    return std::string(name_of(now.method));
-  });
+  const auto current = use(object, surface, options, choose_formula_method);
+  if (automatic)
+    built.choose_method = [=] {
+      choose(*current);
+      surface->set_options(*current);
+      return std::string(name_of(current->method));
+    };
   object.solid = {{source.domain.lo, source.domain.hi}, wanted.place};
   if (!is_identity(wanted.place))
     object.surface =

@@ -31,8 +31,10 @@ struct BuiltObject {
   std::shared_ptr<const Volume> volume;  // of a volume
   std::size_t components = 0;            // of a formula, where they have materials of their own
   std::vector<std::shared_ptr<const Surface>> unclipped;
-  /// Returns the name of the method, which may be another one where it was "auto".
-  std::function<std::string(const std::vector<double>& iso)> move_surface;
+  std::function<void(const std::vector<double>& iso)> move_surface;
+  /// Chooses the method anew for the iso-values to which the surface has been moved, and returns its name;
+  /// empty where that changes nothing.
+  std::function<std::string()> choose_method;
   /// Goes on with another method (by name, not auto), its `--set` values and another evaluation; nothing is
   /// rebuilt, and `method` and `proves` stay what they were. Throws InputError for what cannot be used.
   std::function<void(const std::string& method, const std::map<std::string, std::string>& settings,

@@ -121,10 +121,14 @@ class Builder {
       whole.move_surface = [pieces](const std::vector<double>& iso) {
         if (parts_of(iso) != pieces.size())
           throw InputError(fmt::format("found {} iso-values, expected about as many as before", iso.size()));
-        std::string method;
-        for (std::size_t i = 0; i < pieces.size(); ++i) method = pieces[i].move_surface(part_of(iso, i));
-        return method;
+        for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].move_surface(part_of(iso, i));
       };
+      if (whole.choose_method)
+        whole.choose_method = [pieces] {
+          std::string method;
+          for (const BuiltObject& piece : pieces) method = piece.choose_method();
+          return method;
+        };
       whole.change_method = [pieces](const auto&... arguments) {
         for (const BuiltObject& piece : pieces) piece.change_method(arguments...);
       };
@@ -181,7 +185,7 @@ void BuiltScene::set_iso(std::size_t object, const std::vector<double>& iso,
   if (!moved.move_surface)
     throw InputError(fmt::format("object '{}' has no iso-values that can be moved", moved.name));
   moved.iso = iso;
-  moved.method = moved.move_surface(iso);
+  moved.move_surface(iso);
   const std::vector<Material> all =
       materials_of(materials, moved.components > 0 ? moved.components : iso.size());
   for (std::size_t part = 0; part < moved.count; ++part) {
@@ -189,6 +193,14 @@ void BuiltScene::set_iso(std::size_t object, const std::vector<double>& iso,
     scene.objects[moved.place + part].materials =
         moved.count == 1 ? all : std::vector<Material>(begin, std::min(begin + kIsosPerSurface, all.end()));
   }
+}
+
+bool BuiltScene::choose_method(std::size_t object) {
+  BuiltObject& chosen = objects[object];
+  if (!chosen.choose_method) return false;
+  const std::string before = chosen.method;
+  chosen.method = chosen.choose_method();
+  return chosen.method != before;
 }
 
 void BuiltScene::set_clips(std::size_t object, const std::vector<SolidDescription>& clips) {

@@ -19,6 +19,9 @@ struct BuiltScene {
 
   /// Moves an object's surfaces to other iso-values (the file's scaled units); nothing is rebuilt.
   void set_iso(std::size_t object, const std::vector<double>& iso, const MaterialDescription& materials);
+  /// Chooses an object's method as if the scene were built with the iso-values that it has now; returns
+  /// whether it is another one. Without this a moved surface keeps its method.
+  bool choose_method(std::size_t object);
   /// Other clip solids of an object; nothing is rebuilt.
   void set_clips(std::size_t object, const std::vector<SolidDescription>& clips);
   /// Whether any object's hits and misses come with proofs.

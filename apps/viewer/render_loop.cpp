@@ -130,6 +130,7 @@ void RenderLoop::make_pictures(const Wish& wish) {
     const Stage stage = divisor > 1 ? divisor == first ? Stage::preview : Stage::coarse
                         : smooth    ? Stage::full
                                     : Stage::final;
+    if (divisor == 1 && keeper_.choose_methods()) publish_news(wish.revision, {});
     const bool stays = divisor == first && (wish.hold_full || divisor == kCoarsest);
     const double stays_ms = divisor < first ? 0 : stays ? kStays : 1.5 * wish.budget_ms;
     if (!make_picture(wish, view, quick(final), stage, divisor, stays_ms)) return;

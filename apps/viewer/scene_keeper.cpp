@@ -77,6 +77,7 @@ void SceneKeeper::build(const RenderWords& words, const SceneDescription& descri
   BuiltScene built = build_scene(description, evaluation_of(words), library_);
   library_.drop_unused();
   built_ = std::move(built);
+  moved_.clear();
   walker_.reset();
   ++scene_;
 }
@@ -104,10 +105,19 @@ void SceneKeeper::change(std::size_t k, const ObjectDescription& wanted, bool ev
     built.method_reason.clear();
     built.proves = built.unclipped.front()->proves();
   }
-  if (built.move_surface && (wanted.iso != before.iso || wanted.materials != before.materials))
+  if (built.move_surface && (wanted.iso != before.iso || wanted.materials != before.materials)) {
     built_->set_iso(k, wanted.iso.empty() ? default_iso(wanted) : wanted.iso, wanted.materials);
+    if (wanted.iso != before.iso) moved_.insert(k);
+  }
   if (!built.unclipped.empty() && (!wanted.clips.empty() || !before.clips.empty()))
     built_->set_clips(k, wanted.clips);
+}
+
+bool SceneKeeper::choose_methods() {
+  bool other = false;
+  for (const std::size_t k : moved_) other = built_->choose_method(k) || other;
+  moved_.clear();
+  return other;
 }
 
 std::vector<double> SceneKeeper::default_iso(const ObjectDescription& object) {

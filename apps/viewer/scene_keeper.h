@@ -4,6 +4,7 @@
 #include <isocast/apps/viewer/wish.h>
 
 #include <optional>
+#include <set>
 
 namespace isocast::viewer {
 
@@ -25,6 +26,9 @@ class SceneKeeper {
   [[nodiscard]] const RenderWords& words() const { return words_; }
   /// How many scenes there have been.
   [[nodiscard]] int scene() const { return scene_; }
+  /// Chooses methods anew where surfaces were moved, so that the scene is as if it were built now; returns
+  /// whether one is another than before.
+  bool choose_methods();
   /// Of an object's volume; null: it has none.
   [[nodiscard]] std::shared_ptr<const VolumeStatistics> statistics(std::size_t object);
   /// What the interface needs to know of it.
@@ -47,6 +51,7 @@ class SceneKeeper {
   std::vector<std::string> source_, failed_;
   std::string failure_;
   int scene_ = 0;
+  std::set<std::size_t> moved_;  // objects whose methods were not chosen since
 };
 
 /// Puts the first object's method back when it goes: others may be tried meanwhile.

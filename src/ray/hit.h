@@ -45,16 +45,17 @@ ISO_HD inline void forget(HitStream& hits, int i) {
   hits.t[i] = __builtin_inf();
   hits.object[i] = kNoObject;
 }
-/// All of a slot but its cost.
-inline void copy_slot(const HitStream& from, HitStream& to, int i) {
-  to.t[i] = from.t[i], to.t_lo[i] = from.t_lo[i], to.t_hi[i] = from.t_hi[i];
-  to.s[i] = from.s[i], to.s_hi[i] = from.s_hi[i];
-  for (int a = 0; a < 3; ++a) to.cell[a][i] = from.cell[a][i];
-  to.sides[i] = from.sides[i];
-  to.object[i] = from.object[i];
-  to.iso[i] = from.iso[i];
-  to.certificate[i] = from.certificate[i];
+/// All of slot i but its cost, into slot k; or into the same one.
+inline void copy_slot(const HitStream& from, int i, HitStream& to, int k) {
+  to.t[k] = from.t[i], to.t_lo[k] = from.t_lo[i], to.t_hi[k] = from.t_hi[i];
+  to.s[k] = from.s[i], to.s_hi[k] = from.s_hi[i];
+  for (int a = 0; a < 3; ++a) to.cell[a][k] = from.cell[a][i];
+  to.sides[k] = from.sides[i];
+  to.object[k] = from.object[i];
+  to.iso[k] = from.iso[i];
+  to.certificate[k] = from.certificate[i];
 }
+inline void copy_slot(const HitStream& from, HitStream& to, int i) { copy_slot(from, i, to, i); }
 /// Behind the hit, bit `iso` of sides has changed, unless the surface was only touched (undecided).
 ISO_HD inline std::uint32_t sides_behind(const HitStream& hits, int slot) {
   return hits.certificate[slot] == Certificate::undecided ? hits.sides[slot]

@@ -6,14 +6,6 @@
 namespace isocast {
 namespace {
 
-void move_slot(const HitStream& from, int i, HitStream& to, int k) {
-  to.t[k] = from.t[i], to.t_lo[k] = from.t_lo[i], to.t_hi[k] = from.t_hi[i];
-  to.s[k] = from.s[i], to.s_hi[k] = from.s_hi[i];
-  for (int a = 0; a < 3; ++a) to.cell[a][k] = from.cell[a][i];
-  to.sides[k] = from.sides[i], to.object[k] = from.object[i], to.iso[k] = from.iso[i];
-  to.certificate[k] = from.certificate[i];
-}
-
 class FirstHits final : public PacketAsker {
  public:
   FirstHits(const std::vector<const Surface*>& surfaces, const std::vector<Box>& boxes,
@@ -56,7 +48,7 @@ class FirstHits final : public PacketAsker {
       const bool nearer = found_.t[n] < hits_.t[i] || (found_.t[n] == hits_.t[i] && is_hit(found_, n) &&
                                                        found_.object[n] < hits_.object[i]);
       if (!nearer) continue;
-      move_slot(found_, n, hits_, i);
+      copy_slot(found_, n, hits_, i);
       ends_[i] = hits_.t[i];
     }
   }

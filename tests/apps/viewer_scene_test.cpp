@@ -56,6 +56,7 @@ std::vector<float> rendered(const RenderWords& words) {
 // What the viewer shows.
 std::vector<float> kept(SceneKeeper& keeper, const RenderWords& words) {
   keeper.show(words);
+  keeper.choose_methods();
   return film_of(keeper.built().scene, words).color();
 }
 void adopt(Session& session, const SceneKeeper& keeper) {

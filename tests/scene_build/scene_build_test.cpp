@@ -71,11 +71,14 @@ TEST_CASE("the method of a formula does not depend on the iso-values before") {
   const BuiltScene direct = built(rod + "[0.05, 0.1]}");
   const std::string before = moved.objects[0].method;
   moved.set_iso(0, {0.05, 0.1}, {});
+  CHECK(moved.choose_method(0));
   CHECK(moved.objects[0].method == direct.objects[0].method);
   CHECK(moved.objects[0].method != before);
   CHECK(first_hit(moved.scene, {0, -3, 0.1}, {0, 1, 0}).t ==
         first_hit(direct.scene, {0, -3, 0.1}, {0, 1, 0}).t);
   moved.set_iso(0, {0}, {});
+  CHECK(moved.choose_method(0));
+  CHECK_FALSE(moved.choose_method(0));
   CHECK(moved.objects[0].method == before);
 }
 
