@@ -47,7 +47,7 @@ TEST_CASE("a thread's ray has the scalar CPU's bits", "[property]") {
   std::int64_t hits = 0;
   for (const CatalogueSurface& surface : catalogue()) {
     if (surface.kind == "csg" && test::cases(0, 1) == 0) continue;
-    const std::int64_t rounds = test::cases(3, 100);
+    const std::int64_t rounds = test::cases(2, 100);
     for (std::int64_t round = 0; round < rounds; ++round) {
       const FormulaChoice& choice = random_choice(random, surface);
       INFO(surface.id << " " << choice.method << ", round " << round);
