@@ -16,7 +16,6 @@ inline constexpr int kPartSize = 8, kPatchParts = kPatchSize / kPartSize;
 struct PixelBox {
   std::int32_t x_lo, x_hi, y_lo, y_hi;
 };
-constexpr bool is_empty(const PixelBox& box) { return box.x_lo > box.x_hi || box.y_lo > box.y_hi; }
 
 /// A ray in grid space (t_min = 0), with the bits that the walk has, and what it has met.
 ///
