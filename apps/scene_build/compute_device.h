@@ -15,7 +15,7 @@ namespace isocast {
 struct EvaluationSettings {
   Isa isa = widest_isa();
   bool double_precision = false, mixed_precision = false;
-  std::shared_ptr<const ComputeDevice> device;
+  std::shared_ptr<const ComputeDevice> device = {};
 };
 
 /// From the words of --isa and --precision; "cuda" opens the device, once per process. Throws InputError for
