@@ -38,7 +38,7 @@ struct ImplicitSurfaceOptions {
   bool double_precision = false, mixed_precision = false;
   Isa isa = widest_isa();
   std::uint16_t object = 0;
-  std::shared_ptr<const FormulaDevice> device;
+  std::shared_ptr<const FormulaDevice> device = {};
 };
 
 /// f(x, y, z, w = time) = iso inside a box. Grid-free: nothing is built but the tape; other options rebuild

@@ -48,7 +48,7 @@ struct VolumeSurfaceOptions {
   NormalKind normals = NormalKind::gradient;
   std::uint16_t object = 0;
   RayOrder order = RayOrder::automatic;
-  std::shared_ptr<const VolumeDevice> device;
+  std::shared_ptr<const VolumeDevice> device = {};
 };
 
 /// Holds the samples, dense or sparse, and the ranges that let rays leap; other options need one look at the

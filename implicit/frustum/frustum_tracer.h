@@ -31,7 +31,7 @@ struct FrustumOptions {
   bool proves = true, normals = false;
   Isa isa = widest_isa();
   std::uint16_t object = 0;
-  std::shared_ptr<const FormulaDevice> device;
+  std::shared_ptr<const FormulaDevice> device = {};
 };
 
 /// The normal that a hit carries, which may point to either side; nothing where it has none.
