@@ -100,6 +100,7 @@ CompiledProgram compile_program(const std::string& source, std::span<const Sourc
   // functions that say nothing run on the device; nothing is fused: the bits are those of this processor
   std::vector<const char*> options = {"--std=c++20", "--fmad=false", "--device-as-default-execution-space",
                                       target.c_str()};
+  options.push_back("--define-macro=__INT_MAX__=2147483647");  // which other compilers have
   if (!ptx) options.push_back("--ptxas-options=-v");
   nvrtcResult result = NVRTC_SUCCESS;
   std::string log = program.compile(options, result);

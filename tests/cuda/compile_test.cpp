@@ -68,7 +68,7 @@ TEST_CASE("every surface of the catalogue compiles to PTX", "[property]") {
   if (!has_compiler()) return;
   for (const CatalogueSurface& surface : catalogue()) {
     // quickly, some of them; the texts of all are compiled in expressions_test.cpp
-    if (test::cases(0, 1) == 0 && surface.id.size() % 8 != 0) continue;
+    if (test::cases(0, 1) == 0 && (&surface - catalogue().data()) % 20 != 0) continue;
     INFO(surface.id);
     const CompiledProgram program = compile_formula(
         source_of(SegmentSolverKey{FormulaMethod::affine, false, false, 2}), tape_of(surface), "compute_75");
