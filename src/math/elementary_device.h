@@ -3,6 +3,7 @@
 
 #include <isocast/math/real.h>
 
+#ifdef __CUDACC__
 namespace isocast::inline ISO_ISA {
 
 #define ISO_DEVICE(name)                                     \
@@ -32,3 +33,4 @@ ISO_DEVICE_2(atan2)
 #undef ISO_DEVICE
 
 }  // namespace isocast::inline ISO_ISA
+#endif
