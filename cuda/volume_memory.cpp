@@ -4,6 +4,7 @@
 #include <isocast/volume/sparse_tree.h>
 #include <isocast/volume/volume.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace isocast {
