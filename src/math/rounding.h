@@ -37,9 +37,9 @@ template <Real R> ISO_HD inline R lowered(R x, Scalar<R> spacings, Scalar<R> sma
 template <Real R> ISO_HD inline R down(R x) { return lowered(x, 1, 1); }
 /// The same of a sum, a difference or a square root, which cannot underflow: zero is exact.
 template <Real R> ISO_HD inline R down_exact_zero(R x) { return lowered(x, 1, 0); }
-/// What a library function is off by at most, in ulps. SLEEF's functions keep within 1. The CUDA C++
-/// Programming Guide documents at most 4 for floats (8 for pow before version 12) and 2 for doubles, where no
-/// fast form is asked for.
+/// What a library function is off by at most, in ulps. SLEEF's functions keep within 1. On CUDA: meant to
+/// cover the table of standard functions of the CUDA C++ Programming Guide; docs/cuda.md says how sure that
+/// is.
 #ifdef __CUDACC__
 template <class T> inline constexpr T kLibraryUlps = sizeof(T) == 4 ? T(8) : T(2);
 #else
