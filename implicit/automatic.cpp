@@ -32,7 +32,7 @@ void fill_probe(const Domain& domain, RayStream& rays) {
 }
 
 // Operations a ray in the middle block of a picture of the domain.
-double picture_work(const Surface& surface, double tape_cost) {
+double picture_work(const Surface& surface, double tape_cost, double form_cost) {
   constexpr int kSide = kBlockTiles * kTileSize, kMiddle = 3;
   const View view(frame(surface.bounds(), {}, 1), 8 * kSide, 8 * kSide);
   TraceCounts counts;
@@ -42,7 +42,9 @@ double picture_work(const Surface& surface, double tape_cost) {
     const auto hits = std::make_unique_for_overwrite<BlockHits>();
     hits->reset(surface.proves());
     pass->first_hits(kMiddle, kMiddle, 0.5, 0.5, *hits, counts);
-    return kWider * tape_cost * static_cast<double>(counts.evaluations) / (kSide * kSide);
+    return (kWider * tape_cost * static_cast<double>(counts.evaluations) +
+            form_cost * static_cast<double>(counts.solves)) /
+           (kSide * kSide);
   }
   const auto rays = std::make_unique<RayStream>();
   const auto hits = std::make_unique<HitStream>();
@@ -89,9 +91,13 @@ AutomaticMethod choose_automatically(const Expression& expression, const Domain&
       wishes.options.delta > 0 || wishes.options.packets || !wishes.beams)
     return {chosen, FormulaPass::none, reason};
   options.method.method = chosen;
-  const double alone = picture_work(ImplicitSurface(expression, domain, options), tape_cost(tape, true));
+  const auto work_of = [&] {
+    return picture_work(ImplicitSurface(expression, domain, options), tape_cost(tape, true),
+                        form_cost(polynomial_degree(tape).degree.value_or(0)));
+  };
+  const double alone = work_of();
   options.method.pass = FormulaPass::certified;
-  const double together = picture_work(ImplicitSurface(expression, domain, options), tape_cost(tape, true));
+  const double together = work_of();
   reason +=
       fmt::format("; in the middle of a picture certified takes {:.0f} operations a ray, rays alone {:.0f}",
                   together, alone);

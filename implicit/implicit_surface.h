@@ -102,6 +102,7 @@ class ImplicitSurface final : public Surface {
   void use_device();
 
   void set_components(const RayStream& rays, HitStream& hits) const;
+  [[nodiscard]] bool certifies_by_forms(const PolynomialDegree& degree) const;
   void prepare_frustum();
   [[nodiscard]] bool has_form_normals() const {
     return options_.method.form_normals && options_.normals != NormalKind::difference;
@@ -117,6 +118,7 @@ class ImplicitSurface final : public Surface {
   PruningPlan pruning_;
   double eps_ = 0, shadow_eps_ = 0;
   std::shared_ptr<const FrustumTracer> frustum_;  // of frustum methods
+  std::shared_ptr<const FrustumTracer> forms_;    // of certified, where it takes them
   std::shared_ptr<const FormulaDevice> device_;   // that `segment_solver_` is for, with its key
   SegmentSolverKey solver_key_ = {};
   std::unique_ptr<const SegmentSolver> segment_solver_;
