@@ -84,20 +84,22 @@ AutomaticMethod choose_automatically(const Expression& expression, const Domain&
       "on {} rays through the domain interval takes {:.1f} evaluations a ray and affine {:.1f}, with "
       "the cost of their operations {:.0f} against {:.0f}",
       kStreamSize, evaluations[0], evaluations[1], work[0], work[1]);
-  const FormulaMethodChoice& wishes = options.method;
+  const FormulaMethodChoice wishes = options.method;
+  const auto surface_with = [&](FormulaMethod method, FormulaPass pass) {
+    options.method.method = method, options.method.pass = pass;
+    return ImplicitSurface(expression, domain, options);
+  };
+  if (wishes.nearest || wishes.options.delta > 0 || wishes.options.packets || !wishes.beams)
+    return {chosen, FormulaPass::none, reason};
+  const ImplicitSurface certified = surface_with(FormulaMethod::affine, FormulaPass::certified);
   // beams are affine: where that does not pay for rays, or rays are hard, they have been slower by far
   constexpr double kHard = 100;
-  if (chosen == FormulaMethod::interval || evaluations[1] > kHard || wishes.nearest ||
-      wishes.options.delta > 0 || wishes.options.packets || !wishes.beams)
+  if (!certified.takes_forms() && (chosen == FormulaMethod::interval || evaluations[1] > kHard))
     return {chosen, FormulaPass::none, reason};
-  options.method.method = chosen;
-  const auto work_of = [&] {
-    return picture_work(ImplicitSurface(expression, domain, options), tape_cost(tape, true),
-                        form_cost(polynomial_degree(tape).degree.value_or(0)));
-  };
-  const double alone = work_of();
-  options.method.pass = FormulaPass::certified;
-  const double together = work_of();
+  const double of_form = form_cost(polynomial_degree(tape).degree.value_or(0));
+  const double alone = picture_work(surface_with(chosen, FormulaPass::none),
+                                    tape_cost(tape, chosen == FormulaMethod::affine), of_form);
+  const double together = picture_work(certified, tape_cost(tape, true), of_form);
   reason +=
       fmt::format("; in the middle of a picture certified takes {:.0f} operations a ray, rays alone {:.0f}",
                   together, alone);

@@ -69,9 +69,7 @@ void ImplicitSurface::set_options(const ImplicitSurfaceOptions& options) {
   use_device();
 }
 
-// Whether the surface's polynomial is taken in the frustum form for the pictures of `certified`, and not the
-// tree of beams.
-bool ImplicitSurface::certifies_by_forms(const PolynomialDegree& degree) const {
+bool ImplicitSurface::forms_suit(const PolynomialDegree& degree) const {
   const FormulaMethodChoice& method = options_.method;
   // beams are faster for quadrics; roots in float are told apart by no less
   constexpr int kLeast = 3;
@@ -89,7 +87,7 @@ void ImplicitSurface::prepare_frustum() {
   if (method.has_form() && !degree.degree)
     throw InputError(fmt::format("--method {} needs a polynomial in x, y and z, and the formula is {}",
                                  name_of(method), degree.reason));
-  if (!method.has_form() && !certifies_by_forms(degree)) return;
+  if (!method.has_form() && !forms_suit(degree)) return;
   FrustumOptions options;
   options.degree = *degree.degree;
   options.iso = options_.iso;

@@ -60,6 +60,9 @@ class ImplicitSurface final : public Surface {
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] bool proves() const override { return options_.method.proves(); }
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
+  /// Whether certified takes the frustum form for its pictures, where that sees the domain large enough, and
+  /// not the tree of beams.
+  [[nodiscard]] bool takes_forms() const { return forms_ != nullptr; }
   /// Whatever the method.
   [[nodiscard]] std::unique_ptr<CoveragePass> coverage(const View& view) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
@@ -102,7 +105,7 @@ class ImplicitSurface final : public Surface {
   void use_device();
 
   void set_components(const RayStream& rays, HitStream& hits) const;
-  [[nodiscard]] bool certifies_by_forms(const PolynomialDegree& degree) const;
+  [[nodiscard]] bool forms_suit(const PolynomialDegree& degree) const;
   void prepare_frustum();
   [[nodiscard]] bool has_form_normals() const {
     return options_.method.form_normals && options_.normals != NormalKind::difference;
