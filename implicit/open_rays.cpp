@@ -42,20 +42,11 @@ void OpenRays::solve(TraceCounts& counts) {
     HitStream& found = *to_[n];
     const int i = slot_[n];
     found.cost[i] += hits_.cost[n];
-    if (hits_.t[n] < found.t[i]) copy_hit(n, found, i);
+    if (hits_.t[n] < found.t[i]) copy_slot(hits_, n, found, i);
     else if (!is_hit(hits_, n) && hits_.certificate[n] == Certificate::undecided)
       found.certificate[i] = Certificate::undecided;
   }
   rays_.size = 0;
-}
-
-void OpenRays::copy_hit(int n, HitStream& found, int i) const {
-  found.t[i] = hits_.t[n], found.t_lo[i] = hits_.t_lo[n], found.t_hi[i] = hits_.t_hi[n];
-  found.cell[0][i] = hits_.cell[0][n];
-  found.sides[i] = hits_.sides[n];
-  found.object[i] = hits_.object[n];
-  found.iso[i] = hits_.iso[n];
-  found.certificate[i] = hits_.certificate[n];
 }
 
 }  // namespace isocast

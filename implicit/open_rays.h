@@ -22,8 +22,6 @@ class OpenRays {
   void solve(TraceCounts& counts);
 
  private:
-  void copy_hit(int n, HitStream& found, int i) const;
-
   const Surface* surface_ = nullptr;
   const View* view_ = nullptr;
   int tx_ = 0, ty_ = 0;

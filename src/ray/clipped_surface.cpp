@@ -120,6 +120,26 @@ void ClippedSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCoun
   }
 }
 
+void ClippedSurface::first_hit_inside(const RayStream& rays, const HitStream& whole, HitStream& hits,
+                                      TraceCounts& counts) const {
+  Place places[kStreamSize];
+  locate(rays, whole, places);
+  const auto rest = std::make_unique<RayStream>(rays);
+  bool any = false;
+  for (int i = 0; i < rays.size; ++i) {
+    hits.cost[i] += whole.cost[i];
+    const bool decided = whole.certificate[i] != Certificate::undecided,
+               kept = is_hit(whole, i) && places[i].inside && (places[i].sure || !proves());
+    if (!decided || (is_hit(whole, i) && !kept)) {
+      any = true;
+      continue;
+    }
+    rest->t_min[i] = 1, rest->t_max[i] = 0;
+    if (kept && whole.t[i] < hits.t[i]) copy_slot(whole, hits, i);
+  }
+  if (any) first_hit(*rest, hits, counts);
+}
+
 void ClippedSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
   const std::unique_ptr<RayStream> part = narrowed(rays);
   const RayStream& ahead = part ? from_start(*part, rays) : rays;

@@ -15,8 +15,7 @@ namespace isocast {
 /// can tell may be (Region::narrow). What is cut open stays open.
 ///
 /// proofs  as the surface's; a hit is proved where it is sure to lie inside, and what is passed over before
-/// it
-///         sure to lie outside
+///         it sure to lie outside
 /// source  constructive solids by conditions: Knoll et al.: Fast ray tracing of arbitrary implicit surfaces
 ///         with interval and affine arithmetic, Computer Graphics Forum 28(1), 2009
 class ClippedSurface final : public Surface {
@@ -28,6 +27,12 @@ class ClippedSurface final : public Surface {
   [[nodiscard]] Box bounds() const override { return surface_->bounds(); }
   [[nodiscard]] bool proves() const override { return surface_->proves(); }
   [[nodiscard]] bool narrow(const TileFrustum& tile) const override { return surface_->narrow(tile); }
+  /// The surface's, where it has one (render/clipped_pass.h).
+  [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
+  /// As first_hit, where the first hits of the surface itself are known: `whole`. Only rays whose hits lie
+  /// outside, or are not sure, are looked at again.
+  void first_hit_inside(const RayStream& rays, const HitStream& whole, HitStream& hits,
+                        TraceCounts& counts) const;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,

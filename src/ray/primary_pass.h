@@ -24,6 +24,7 @@ class BlockHits {
   }
   /// Nobody wants the block any more: passes may leave it as it is.
   [[nodiscard]] bool unwanted() const { return stop_.stop_requested(); }
+  [[nodiscard]] const std::stop_token& stop() const { return stop_; }
   [[nodiscard]] bool is_open(int x, int y) const { return open_[x + kBlockTiles * y]; }
   /// Tile (x, y) of the block, 0 to kBlockTiles - 1 each.
   [[nodiscard]] HitStream& tile(int x, int y) {

@@ -1,6 +1,7 @@
 // Solids cut surfaces at their crossings: held against the reference's roots and the solid's formula there.
 #include <fmt/format.h>
 #include <implicit/framed_rays.h>
+#include <implicit/random_camera.h>
 #include <isocast/implicit/expression/parse.h>
 #include <isocast/implicit/expression/simplify.h>
 #include <isocast/implicit/formula_region.h>
@@ -267,4 +268,42 @@ TEST_CASE("the part of a line in a quadric holds all that lies in it, and little
       }
     }
   }
+}
+
+TEST_CASE("pictures of clipped surfaces are those of their rays", "[property]") {
+  std::mt19937_64 random(41);
+  std::int64_t hits_seen = 0, cut = 0, pictures = 0;
+  const std::int64_t count = cases(24, 1000);
+  for (std::int64_t n = 0; n < count; ++n) {
+    const char* methods[] = {"certified", "frustum-lr", "beam-adaptive"};
+    const char* method = methods[n % 3];
+    const std::vector<std::string> solids = n % 2 == 0 ? std::vector<std::string>{"x+0.3*y-0.2"}
+                                                       : std::vector<std::string>{"x^4+y^4+z^4-2", "-z-1"};
+    const ClippedSurface surface = clipped("x^4-5*x^2+y^4-5*y^2+z^4-5*z^2+11.8", solids, method);
+    INFO(method << " " << solids[0]);
+    // large enough for forms, mostly
+    const View view(random_camera(random), 150, 130);
+    if (!surface.primary(view)) continue;
+    ++pictures;
+    each_tile_of_pass(surface, view, [&](const RayStream& rays, const HitStream& a) {
+      RayStream others = rays;
+      others.kind = RayKind::reflection;
+      const HitStream b = first_hits(surface, others);
+      for (int i = 0; i < rays.size; ++i) {
+        if (!is_ray(rays, i)) continue;
+        if (a.certificate[i] == Certificate::undecided || b.certificate[i] == Certificate::undecided)
+          continue;
+        REQUIRE(a.certificate[i] == b.certificate[i]);
+        cut += !is_hit(a, i);
+        if (!is_hit(a, i)) continue;
+        ++hits_seen;
+        REQUIRE(a.t_lo[i] <= b.t_hi[i]);
+        REQUIRE(b.t_lo[i] <= a.t_hi[i]);
+        REQUIRE(a.sides[i] == b.sides[i]);
+      }
+    });
+  }
+  CHECK(hits_seen > 1000);
+  CHECK(cut > 1000);
+  CHECK(4 * pictures > 3 * count);
 }
