@@ -1,4 +1,5 @@
 // Object order gives the bits of the walk: the same hits for every primary ray, whatever camera looks.
+#include <isocast/ray/clipped_surface.h>
 #include <isocast/render/camera.h>
 #include <test_size.h>
 
@@ -16,7 +17,7 @@ using namespace isocast::test;
 namespace {
 
 // Compares all blocks of a view; returns the number of hits.
-std::int64_t compare(const VolumeSurface& surface, const View& view, double u = 0.5, double v = 0.5,
+std::int64_t compare(const Surface& surface, const View& view, double u = 0.5, double v = 0.5,
                      double bound = std::numeric_limits<double>::infinity()) {
   const std::unique_ptr<PrimaryPass> pass = surface.primary(view);
   REQUIRE(pass);
@@ -88,6 +89,22 @@ Camera random_camera(std::mt19937_64& random, const Box& box) {
   return camera;
 }
 
+// What lies below a plane, all of it sure; it cuts no rays.
+class Below final : public Region {
+ public:
+  Below(const Double3& normal, double level) : normal_(normal), level_(level) {}
+  void locate(const RayStream& rays, const HitStream& hits, Place (&places)[kStreamSize]) const override {
+    for (int i = 0; i < rays.size; ++i) {
+      const Double3 o = {rays.ox[i], rays.oy[i], rays.oz[i]}, d = {rays.dx[i], rays.dy[i], rays.dz[i]};
+      places[i] = {dot(normal_, o + hits.t[i] * d) < level_, true};
+    }
+  }
+
+ private:
+  Double3 normal_;
+  double level_;
+};
+
 }  // namespace
 
 TEST_CASE("random cameras: every ray has the hit of the walk", "[property]") {
@@ -146,6 +163,25 @@ TEST_CASE("sparse grids: every ray has the hit of the walk") {
         }
       }
   CHECK(hits > 50000);
+}
+
+TEST_CASE("clipped volumes: every ray has the hit of the walk") {
+  std::mt19937_64 random(14);
+  std::int64_t hits = 0;
+  for (const char* method : {"marmitt", "certified"}) {
+    VolumeSurfaceOptions options = surface_options(0, widest_isa(), method);
+    options.iso = {20, 41};
+    const auto whole = std::make_shared<VolumeSurface>(make_volume(kDims, SampleType::f32, wavy), options);
+    const Double3 middle = whole->bounds().center();
+    for (int round = 0; round < 10; ++round) {
+      std::uniform_real_distribution<double> unit(-1, 1);
+      const Double3 normal = {unit(random), unit(random), unit(random)};
+      const ClippedSurface surface(whole, {std::make_shared<Below>(normal, dot(normal, middle))}, 0);
+      INFO("round " << round << ", " << method);
+      hits += compare(surface, View(random_camera(random, surface.bounds()), 150, 120));
+    }
+  }
+  CHECK(hits > 20000);
 }
 
 TEST_CASE("where bricks are many and pixels few the walk is left alone") {
