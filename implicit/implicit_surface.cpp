@@ -120,7 +120,7 @@ void ImplicitSurface::begin(bool next, const RayStream& rays, HitStream& hits, T
     one.active = !one.ray.misses() && (has_hit || !next);
     one.carried = next || rays.start_object[i] == options_.object;
     one.doubt = false;
-    one.sides = next ? sides_behind(hits, i) : rays.start_sides[i];
+    one.sides = next && has_hit ? sides_behind(hits, i) : rays.start_sides[i];
     if (next && has_hit) hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = std::numeric_limits<double>::infinity();
   }
 }

@@ -38,7 +38,8 @@ ISO_HD inline void set_start(CellPacket<T, N>& packet, int l, double begin, bool
 }
 
 /// Sides of all iso-values in front of the hit of iso `hit_iso`; `behind`: f is negative behind it,
-/// `touched`: so it is in front.
+/// `touched`: so it is in front. All of the cell has one side of those that it does not hold, though it holds
+/// the one that was hit.
 template <class T, class Cells>
 ISO_HD inline std::uint32_t sides_in_front(const VolumeQuery& query, const Cells& cells, int l, int hit_iso,
                                            bool behind, bool touched) {
@@ -48,6 +49,7 @@ ISO_HD inline std::uint32_t sides_in_front(const VolumeQuery& query, const Cells
   for (int i = 0; i < query.iso_count; ++i) {
     if (i == hit_iso) continue;
     if (carried) sides |= known & 1u << i;
+    else if (!cells.holding(i, 1u << l)) sides |= std::uint32_t(query.iso[hit_iso] < query.iso[i]) << i;
     else if (cells.fetch(i, 1u << l, packet, doubtful))
       sides |= std::uint32_t(negative(value_at_entry(packet, l))) << i;
   }

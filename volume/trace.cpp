@@ -21,6 +21,7 @@ std::uint32_t sides(const VolumeQuery& query, const RayStream& rays, int slot, c
   lane.ray = grid_ray(query, rays, slot);
   resume_in_cell(lane.ray, grid.shifts, cell, rays.t_min[slot], lane.walk);
   grid.enter(cell, lane.place);
+  lane.active = ~0u;  // which iso-values the cell holds is not known
   return sides_in_front<T>(query, LaneCells<Grid, 1>(query, grid, &lane), 0, iso, behind, touched);
 }
 

@@ -116,6 +116,7 @@ MaskUse VolumeSurface::mask_use() const {
     use.masks += masks->count();
     use.bytes += masks->bytes();
   }
+  if (united_) use.bytes += united_->bytes();
   return use;
 }
 
@@ -182,6 +183,7 @@ void VolumeSurface::choose_masks() {
     const auto kept = std::ranges::find_if(masks_, [&](const auto& m) { return m->key() == key; });
     masks.push_back(kept != masks_.end() ? *kept : std::make_shared<const IsoMasks>(bricks_.count, key));
   }
+  united_ = masks.size() > 1 ? std::make_shared<const BrickMasks>(bricks_.count) : nullptr;
   masks_ = std::move(masks);
 }
 
@@ -211,6 +213,8 @@ MarchField VolumeSurface::march_field() const {
     field.masks[i] = masks_[i].get();
     field.made[i] = masks_[i]->made();
   }
+  field.united = united_.get();
+  field.all = united_ ? united_->made() : field.made[0];
   return field;
 }
 

@@ -97,6 +97,7 @@ class VolumeSurface final : public Surface {
   Bricks bricks_;
   BrickDirectory directory_;
   std::vector<std::shared_ptr<const IsoMasks>> masks_;  // one for each iso-value
+  std::shared_ptr<const BrickMasks> united_;            // of several
   Isa isa_;
   NormalKind normals_;
   RayOrder order_;

@@ -8,8 +8,10 @@
 #include <isocast/implicit/register_memory.h>
 #include <isocast/isa/cpu.h>
 #include <isocast/math/elementary.h>
+#include <isocast/scene/srgb.h>
 #include <isocast/volume/volume_sampler.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -81,8 +83,9 @@ std::shared_ptr<const ColorField> make_color_field(const ColorBy& description, V
           fmt::format("color_by with log: found values up to {}, expected some above 0", range[1]));
     range[1] = range[0] + 1;  // a constant field
   }
+  const Color nan_color = description.nan_color.value_or(map.at(std::nan("")));
   return std::make_shared<MappedField>(std::move(field.value), std::move(map), range, description.logarithmic,
-                                       description.nan_color);
+                                       nan_color);
 }
 
 ColorMap read_color_map(const std::string& name) {
@@ -102,20 +105,29 @@ ColorMap read_color_map(const std::string& name) {
   constexpr std::size_t kMost = 1 << 16;
   if (numbers.size() % 4 != 0 || numbers.size() < 8 || numbers.size() > 4 * kMost)
     fail(fmt::format("found {} numbers", numbers.size()));
-  for (const SceneJson& number : numbers)
-    if (!number.is_number()) fail("found something other than a number in RGBPoints");
+  const auto is_number = [](const SceneJson& number) { return number.is_number(); };
+  if (!std::ranges::all_of(numbers, is_number)) fail("found something other than a number in RGBPoints");
+  const auto color_at = [](const SceneJson& list, std::size_t i) {
+    std::array<double, 3> srgb;
+    for (std::size_t c = 0; c < 3; ++c) srgb[c] = std::clamp(list[i + c].get<double>(), 0.0, 1.0);
+    return srgb;
+  };
   std::vector<ColorPoint> points;
   const double first = numbers[0], last = numbers[numbers.size() - 4];
   if (!(first < last)) fail(fmt::format("found points from {} to {}", first, last));
   for (std::size_t i = 0; i < numbers.size(); i += 4) {
-    ColorPoint point{(numbers[i].get<double>() - first) / (last - first), {}};
+    const ColorPoint point{(numbers[i].get<double>() - first) / (last - first), color_at(numbers, i + 1)};
     if (!(point.x >= 0 && point.x <= 1) || (!points.empty() && point.x < points.back().x))
       fail("found points that do not rise");
-    for (std::size_t c = 0; c < 3; ++c)
-      point.srgb[c] = std::clamp(numbers[i + 1 + c].get<double>(), 0.0, 1.0);
     points.push_back(point);
   }
-  return ColorMap(std::move(points));
+  if (!map.contains("NanColor")) return ColorMap(std::move(points));
+  const SceneJson& nan = map["NanColor"];
+  if (!nan.is_array() || nan.size() != 3 || !std::ranges::all_of(nan, is_number))
+    fail("found a NanColor that is not three numbers");
+  Color color;
+  for (std::size_t c = 0; c < 3; ++c) color[c] = static_cast<float>(linear_from_srgb(color_at(nan, 0)[c]));
+  return ColorMap(std::move(points), color);
 }
 
 }  // namespace isocast

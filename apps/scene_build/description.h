@@ -69,7 +69,7 @@ struct ColorBy {
   std::string map = "viridis";  // a name or a ParaView .json
   std::optional<std::array<double, 2>> range = {};
   bool logarithmic = false;
-  Color nan_color = {0.5f, 0.5f, 0.5f};
+  std::optional<Color> nan_color = {};  // else the map's
 };
 
 /// Iso-surfaces of a volume (`iso` in the file's scaled units; empty: the best of suggested_iso) or of a

@@ -80,7 +80,9 @@ Animation animation_from(const SceneJson& value, const SceneContext& context, co
     if (from.contains("time")) key.time = from["time"].get<double>();
     if (from.contains("camera")) {
       SceneDescription one = scene;
-      use_camera(one, from["camera"]);
+      try {
+        use_camera(one, from["camera"]);
+      } catch (const InputError& error) { fail(path + ".camera", error.what()); }
       key.camera = one.camera;
     }
     if (from.contains("params")) key.parameters = from["params"].get<std::map<std::string, double>>();

@@ -3,6 +3,7 @@
 #include <isocast/apps/scene_build/placement.h>
 #include <isocast/apps/scene_build/scene_objects.h>
 #include <isocast/base/error.h>
+#include <isocast/scene/color_map.h>
 #include <isocast/volume/io/type_words.h>
 
 #include <algorithm>
@@ -191,6 +192,7 @@ class ObjectReader {
           time()};
     colors.map = value.value("map", colors.map);
     if (colors.map.ends_with(".json")) colors.map = (context_.folder / colors.map).string();
+    else at("color_by.map", [&] { return color_map_from_name(colors.map); });
     if (value.contains("range")) {
       colors.range = value["range"].get<std::array<double, 2>>();
       if (!((*colors.range)[0] < (*colors.range)[1])) fail(path + ".range", "expected lo below hi");

@@ -131,7 +131,7 @@ struct SceneRules {
                {"map", &kMap, "viridis (default) plasma magma inferno grey coolwarm, or a file"},
                {"range", &kInterval, "values of the ends of the map"},
                {"log", &kFlag, "the map follows the logarithm"},
-               {"nan_color", &kColor, "where there is no value"},
+               {"nan_color", &kColor, "where there is no value; default: the map's"},
                {"dims", &kDims, "of a .raw file"},
                {"sample_type", &kSampleType, "of a .raw file"},
                {"endian", &kEndian, "of a .raw file"},

@@ -37,7 +37,7 @@ template <Real R> struct BeamLanes {
   alignas(64) T near[kBeamLanes], far[kBeamLanes], next_from[kBeamLanes], next_to[kBeamLanes],
       next_at[kBeamLanes], next_u[kBeamLanes], next_v[kBeamLanes], radius[kBeamLanes], slope[kBeamLanes],
       iso[kBeamLanes];
-  SlotBits open, narrow, straight, rises;
+  SlotBits open = 0, narrow = 0, straight = 0, rises = 0;
 
   /// One part more, of a node: the rays through the middles of its pixels.
   ISO_HD void add(const BeamNode<T>& node, DepthRange<T> part) {

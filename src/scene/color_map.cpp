@@ -5,6 +5,7 @@
 #include <isocast/scene/srgb.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace isocast {
@@ -31,9 +32,11 @@ constexpr struct {
 
 }  // namespace
 
-ColorMap::ColorMap(std::vector<ColorPoint> points) : points_(std::move(points)) {}
+ColorMap::ColorMap(std::vector<ColorPoint> points, const Color& nan)
+    : points_(std::move(points)), nan_(nan) {}
 
 Color ColorMap::at(double x) const {
+  if (std::isnan(x)) return nan_;
   x = x > 0 ? std::min(x, 1.0) : 0;
   const auto behind = std::ranges::upper_bound(points_, x, {}, &ColorPoint::x);
   const ColorPoint& b = behind == points_.end() ? points_.back() : *behind;

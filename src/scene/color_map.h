@@ -19,13 +19,15 @@ struct ColorPoint {
 class ColorMap {
  public:
   /// points  by rising x, two or more, the first at 0 and the last at 1; two at the same x make a step
-  explicit ColorMap(std::vector<ColorPoint> points);
+  /// nan     of NaN, linear
+  explicit ColorMap(std::vector<ColorPoint> points, const Color& nan = {0.5f, 0.5f, 0.5f});
 
-  /// Linear RGB; NaN as 0.
+  /// Linear RGB.
   [[nodiscard]] Color at(double x) const;
 
  private:
   std::vector<ColorPoint> points_;
+  Color nan_;
 };
 
 /// viridis, plasma, magma, inferno (Smith and van der Walt 2015), grey, or coolwarm (Moreland: Diverging

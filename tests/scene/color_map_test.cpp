@@ -21,7 +21,7 @@ TEST_CASE("colour maps begin and end as published, and rise between") {
   is(viridis.at(1), 0xfd, 0xe7, 0x25);
   is(viridis.at(-3), 0x44, 0x01, 0x54);
   is(viridis.at(3), 0xfd, 0xe7, 0x25);
-  is(viridis.at(std::numeric_limits<double>::quiet_NaN()), 0x44, 0x01, 0x54);
+  CHECK(viridis.at(std::numeric_limits<double>::quiet_NaN()) == Color{0.5f, 0.5f, 0.5f});
   is(color_map_from_name("coolwarm").at(0.5), 0xdd, 0xdd, 0xdd);
   is(color_map_from_name("grey").at(0.2), 51, 51, 51);
   for (const char* const name : {"viridis", "plasma", "magma", "inferno", "grey"}) {

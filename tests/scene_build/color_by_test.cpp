@@ -42,7 +42,7 @@ TEST_CASE("a logarithmic map") {
   colors.logarithmic = true;
   colors.map = "grey";
   CHECK(color_at(colors, {100, 0, 0})[0] == Approx(color_map_from_name("grey").at(0.5)[0]));
-  CHECK(color_at(colors, {-1, 0, 0}) == colors.nan_color);
+  CHECK(color_at(colors, {-1, 0, 0}) == Color{0.5f, 0.5f, 0.5f});
 }
 
 TEST_CASE("a volume's values are interpolated, and have a range of their own") {
@@ -57,7 +57,7 @@ TEST_CASE("a volume's values are interpolated, and have a range of their own") {
   CHECK(std::isnan(sampler.value_at({std::nan(""), 0, 0})));
   ColorBy colors{.field = VolumeSource{folder / "ramp.nrrd", {}}};
   CHECK(color_at(colors, {2, 2, 2}) == color_map_from_name("viridis").at(0.5));
-  CHECK(color_at(colors, {9, 9, 9}) == colors.nan_color);
+  CHECK(color_at(colors, {9, 9, 9}) == Color{0.5f, 0.5f, 0.5f});
 }
 
 TEST_CASE("ParaView's maps are read, and told when they cannot be") {
@@ -69,9 +69,17 @@ TEST_CASE("ParaView's maps are read, and told when they cannot be") {
   const ColorMap two = map(R"([{"Name": "two", "RGBPoints": [-5, 1, 0, 0, 5, 0, 0, 1]}])");
   CHECK(two.at(0) == Color{1, 0, 0});
   CHECK(two.at(1) == Color{0, 0, 1});
+  const ColorMap nan = map(R"([{"NanColor": [1, 1, 0], "RGBPoints": [-5, 1, 0, 0, 5, 0, 0, 1]}])");
+  CHECK(nan.at(std::nan("")) == Color{1, 1, 0});
+  ColorBy colors = by("sqrt(x)");
+  colors.map = (folder / "map.json").string();
+  CHECK(color_at(colors, {-1, 0, 0}) == Color{1, 1, 0});
+  colors.nan_color = {0, 1, 0};
+  CHECK(color_at(colors, {-1, 0, 0}) == Color{0, 1, 0});
   for (const char* const text :
        {"[]", "{}", R"([{"RGBPoints": [0, 1, 1]}])", R"([{"RGBPoints": [1, 0, 0, 0, 0, 1, 1, 1]}])",
-        R"([{"RGBPoints": [0, "a", 0, 0, 1, 1, 1, 1]}])", "[", "3"})
+        R"([{"RGBPoints": [0, "a", 0, 0, 1, 1, 1, 1]}])", "[", "3",
+        R"([{"RGBPoints": [0, 0, 0, 0, 1, 1, 1, 1], "NanColor": [1, 1]}])"})
     CHECK_THROWS_AS(map(text), InputError);
   CHECK_THROWS_MATCHES(map(R"([{"RGBPoints": [0, 1, 1]}])"), InputError, says("found 3 numbers"));
 }

@@ -39,19 +39,21 @@ TEST_CASE("dense grids: every ray has the hits of the walk", "[property]") {
     const char* method;
     bool precise = false;
   };
-  const std::vector<Case> cases = {{smooth, {41}, "marmitt"},
-                                   {smooth, {60, 20, 41}, "marmitt"},
-                                   {smooth, {41}, "linear", true},
-                                   {smooth, {41, 42}, "certified"},
-                                   {noise, {63.5}, "marmitt"},
-                                   {noise, {10, 63.5, 64, 100}, "midpoint"},
-                                   {noise, {63.5}, "certified"},
-                                   {plane, {50}, "marmitt"},
-                                   {plane, {50, 51}, "neubauer", true},
-                                   {holes, {41}, "marmitt"},
-                                   {holes, {41}, "certified"},
-                                   {wide, {41}, "schwarze", true},
-                                   {thin, {63.5}, "marmitt"}};
+  const std::vector<Case> cases = {
+      {smooth, {41}, "marmitt"},
+      {smooth, {60, 20, 41}, "marmitt"},
+      {smooth, {41}, "linear", true},
+      {smooth, {41, 42}, "certified"},
+      {noise, {63.5}, "marmitt"},
+      {noise, {10, 63.5, 64, 100}, "midpoint"},
+      {noise, {90, 5, 15, 25, 35, 45, 55, 65, 75, 85, 95, 105, 115, 4, 3, 2}, "marmitt"},
+      {noise, {63.5}, "certified"},
+      {plane, {50}, "marmitt"},
+      {plane, {50, 51}, "neubauer", true},
+      {holes, {41}, "marmitt"},
+      {holes, {41}, "certified"},
+      {wide, {41}, "schwarze", true},
+      {thin, {63.5}, "marmitt"}};
   std::int64_t hits = 0;
   const std::int64_t rounds = test::cases(1300, 130000);
   for (std::int64_t round = 0; round < rounds; ++round) {
@@ -64,6 +66,33 @@ TEST_CASE("dense grids: every ray has the hits of the walk", "[property]") {
     hits += compare(random, c.volume, {}, options);
   }
   CHECK(hits > 100 * rounds);
+}
+
+// Up to its nearest root a ray is on the side of every other iso-value that the root's own value is on.
+TEST_CASE("the sides in front of a first hit follow the order of the iso-values") {
+  std::mt19937_64 random(25);
+  VolumeSurfaceOptions options = surface_options(0);
+  options.iso = {70, 20, 110, 41, 5, 64, 90, 64.5};
+  for (const RayOrder order : {RayOrder::automatic, RayOrder::walk}) {
+    options.order = order;
+    const VolumeSurface surface(make_volume(kDims, SampleType::u8, rough), options);
+    std::int64_t hits = 0;
+    for (int round = 0; round < 100; ++round) {
+      const std::unique_ptr<Streams> asked = make_streams();
+      fill_random(random, surface.bounds(), *asked);
+      TraceCounts counts;
+      surface.first_hit(asked->rays, asked->hits, counts);
+      for (int i = 0; i < asked->rays.size; ++i) {
+        const HitStream& found = asked->hits;
+        if (found.object[i] != 0 || found.certificate[i] == Certificate::undecided) continue;
+        ++hits;
+        for (std::size_t iso = 0; iso < options.iso.size(); ++iso)
+          if (iso != found.iso[i])
+            REQUIRE((found.sides[i] >> iso & 1) == (options.iso[found.iso[i]] < options.iso[iso]));
+      }
+    }
+    CHECK(hits > 3000);
+  }
 }
 
 TEST_CASE("sparse grids: every ray has the hits of the walk", "[property]") {

@@ -8,26 +8,28 @@ constexpr BrickMask kEmpty = {};
 
 }  // namespace
 
-IsoMasks::IsoMasks(std::size_t bricks, double key) : key_(key), masks_(bricks, nullptr) {}
-
-IsoMasks::~IsoMasks() {
+BrickMasks::~BrickMasks() {
   for (const BrickMask* mask : masks_)
     if (mask != &kEmpty) delete mask;
 }
 
-const BrickMask& IsoMasks::of(const VolumeQuery& query, int iso, std::size_t brick,
-                              const std::int32_t (&first)[3]) const {
-  const std::atomic_ref slot(masks_[brick]);
-  const BrickMask* mask = slot.load(std::memory_order_acquire);
-  if (mask) return *mask;
-  std::unique_ptr<BrickMask> made = make_mask(query, iso, first);
+const BrickMask& BrickMasks::keep(std::size_t brick, std::unique_ptr<BrickMask> made) const {
+  const BrickMask* mask = nullptr;
   const BrickMask* const mine = made ? made.get() : &kEmpty;
-  if (!slot.compare_exchange_strong(mask, mine, std::memory_order_acq_rel)) return *mask;
+  if (!std::atomic_ref(masks_[brick]).compare_exchange_strong(mask, mine, std::memory_order_acq_rel))
+    return *mask;
   count_ += made != nullptr;
   (void)made.release();
   return *mine;
 }
 
-std::size_t IsoMasks::bytes() const { return masks_.size() * sizeof(masks_[0]) + count_ * sizeof(BrickMask); }
+std::size_t BrickMasks::bytes() const {
+  return masks_.size() * sizeof(masks_[0]) + count_ * sizeof(BrickMask);
+}
+
+const BrickMask& IsoMasks::of(const VolumeQuery& query, int iso, std::size_t brick,
+                              const std::int32_t (&first)[3]) const {
+  return of(brick, [&] { return make_mask(query, iso, first); });
+}
 
 }  // namespace isocast

@@ -61,7 +61,8 @@ inline void load_pairs(PatchState& patch, CellPacket<T>& packet, PairChords& cho
   chords.start = false;
   std::int32_t cells[3][kPacketSize];
   for (int a = 0; a < 3; ++a) pick(ring.at[a], queue.cell, cells[a]);
-  for (int i = 0; i < kPacketSize && waiting >> i != 0; i += kWidth<R>) {
+  int i = 0;
+  for (; i < kPacketSize && waiting >> i != 0; i += kWidth<R>) {
     const std::int32_t* ray = queue.ray + i;
     const R cell[3] = {load_as<R>(cells[0] + i), load_as<R>(cells[1] + i), load_as<R>(cells[2] + i)};
     const RayColumns<R> rays = load_rays<R>(patch.rays, ray);
@@ -82,6 +83,11 @@ inline void load_pairs(PatchState& patch, CellPacket<T>& packet, PairChords& cho
       store_as(packet.exit[a] + i, ends.exit);
     }
   }
+  for (; i < kPacketSize; i += kWidth<R>)  // no pairs
+    for (int a = 0; a < 3; ++a) {
+      store_as(packet.entry[a] + i, R(0));
+      store_as(packet.exit[a] + i, R(0));
+    }
   for (std::uint32_t rest = packet.active; rest; rest &= rest - 1) {
     const int l = __builtin_ctz(rest);
     if (!ring.doubtful[queue.cell[l]]) continue;
@@ -90,7 +96,7 @@ inline void load_pairs(PatchState& patch, CellPacket<T>& packet, PairChords& cho
   }
   for (int k = 0; k < 8; ++k) pick(ring.f[k], queue.cell, packet.f[k]);
   using F = Native<T>;
-  for (int i = 0; i < kPacketSize; i += kWidth<F>) {
+  for (i = 0; i < kPacketSize; i += kWidth<F>) {
     store(packet.begin + i, F(0));
     store(packet.slack + i, F(0));
     store(packet.carry + i, F(T(__builtin_nan(""))));

@@ -1,7 +1,7 @@
 // How far the masks let rays leap.
 #pragma once
 
-#include <isocast/math/pack.h>
+#include <isocast/volume/stream/lane_bits.h>
 #include <isocast/volume/stream/march_field.h>
 
 namespace isocast::inline ISO_ISA {
@@ -17,26 +17,9 @@ template <Real R> struct CellPlaces { R brick[3], block, bit; };
 inline double empty_cube(const MarchField& field, const std::int32_t (&at)[3], int block, int bit) {
   const FoundBrick brick = find_brick(field.bricks, at);
   if (brick.number == kNoBrick) return brick.node ? kNode : kBrick;
-  std::uint64_t blocks = 0;
-  bool in_block = false;
-  for (int iso = 0; iso < field.query->iso_count; ++iso) {
-    const BrickMask& mask = mask_of(field, iso, brick.number, at);
-    blocks |= mask.blocks;
-    if (!(mask.blocks >> block & 1)) continue;
-    if (mask.cells[block] >> bit & 1) return 0;
-    in_block = true;
-  }
-  return in_block ? 1 : blocks ? kBlock : kBrick;
-}
-
-/// The lanes of a mask from their bits.
-template <Real R> inline Mask<R> mask_of_bits(unsigned bits) {
-  if constexpr (kWidth<R> == 1) return (bits & 1) != 0;
-  else {
-    double lanes[kWidth<R>];
-    for (int l = 0; l < kWidth<R>; ++l) lanes[l] = double(bits >> l & 1);
-    return load<R>(lanes) != R(0);
-  }
+  const BrickMask& mask = mask_of_all(field, brick.number, at);
+  if (!(mask.blocks >> block & 1)) return mask.blocks ? kBlock : kBrick;
+  return mask.cells[block] >> bit & 1 ? 0 : 1;
 }
 
 /// The same for the lanes of `asked`, one at a time; 1 in the others.
@@ -59,10 +42,6 @@ template <Real R> R empty_cubes(const MarchField& field, const CellPlaces<R>& pl
 }
 
 #ifdef __AVX512DQ__
-template <> inline Mask<Pack<double, 8>> mask_of_bits<Pack<double, 8>>(unsigned bits) {
-  return PackMask<double, 8>(__mmask8(bits));
-}
-
 /// The words at `from` + kScale * at, in bytes; 0 in the other lanes.
 template <int kScale> inline __m512i gather_words(__mmask8 lanes, __m512i at, const void* from = nullptr) {
   return _mm512_mask_i64gather_epi64(_mm512_setzero_si512(), lanes, at, from, kScale);
@@ -81,20 +60,17 @@ inline Pack<double, 8> empty_cubes(const MarchField& field, const CellPlaces<Pac
                               places.brick[0]),
                 block = whole(places.block), bit = whole(places.bit), one = _mm512_set1_epi64(1);
   const auto lanes = __mmask8(asked);
-  __mmask8 any = 0, in_block = 0, active = 0;
-  for (int iso = 0; iso < field.query->iso_count; ++iso) {
-    const __m512i mask = gather_words<8>(lanes, brick, field.made[iso]);
-    if (_mm512_mask_testn_epi64_mask(lanes, mask, mask)) return empty_cubes_by_lanes(field, places, asked);
-    const __m512i blocks = gather_words<1>(lanes, mask);
-    const __mmask8 here =
-        _mm512_mask_test_epi64_mask(lanes, _mm512_maskz_srlv_epi64(0xff, blocks, block), one);
-    const __m512i word = _mm512_maskz_add_epi64(0xff, _mm512_maskz_slli_epi64(0xff, block, 3),
-                                                _mm512_set1_epi64(offsetof(BrickMask, cells))),
-                  cells = gather_words<1>(here, _mm512_maskz_add_epi64(0xff, mask, word));
-    any |= _mm512_mask_test_epi64_mask(lanes, blocks, blocks);
-    in_block |= here;
-    active |= _mm512_mask_test_epi64_mask(here, _mm512_maskz_srlv_epi64(0xff, cells, bit), one);
-  }
+  const __m512i mask = gather_words<8>(lanes, brick, field.all);
+  if (_mm512_mask_testn_epi64_mask(lanes, mask, mask)) return empty_cubes_by_lanes(field, places, asked);
+  const __m512i blocks = gather_words<1>(lanes, mask);
+  const __mmask8 any = _mm512_mask_test_epi64_mask(lanes, blocks, blocks),
+                 in_block =
+                     _mm512_mask_test_epi64_mask(lanes, _mm512_maskz_srlv_epi64(0xff, blocks, block), one);
+  const __m512i word = _mm512_maskz_add_epi64(0xff, _mm512_maskz_slli_epi64(0xff, block, 3),
+                                              _mm512_set1_epi64(offsetof(BrickMask, cells))),
+                cells = gather_words<1>(in_block, _mm512_maskz_add_epi64(0xff, mask, word));
+  const __mmask8 active =
+      _mm512_mask_test_epi64_mask(in_block, _mm512_maskz_srlv_epi64(0xff, cells, bit), one);
   R edge = select(PackMask<double, 8>(any), R(kBlock), R(kBrick));
   edge = select(PackMask<double, 8>(in_block), R(1), edge);
   return select(PackMask<double, 8>(active), R(0), edge);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/volume/stream/crossings.h>
+#include <isocast/volume/stream/lane_bits.h>
 #include <isocast/volume/stream/march_field.h>
 #include <isocast/volume/stream/walking_rays.h>
 
@@ -27,9 +28,12 @@ void enter_rays(const MarchField& field, const RayStream& rays, const double (&t
                 WalkingRays& to) {
   to.size = 0;
   for (int i = 0; i < rays.size; i += kWidth<R>) {
-    to_grid<R>(*field.query, rays, i, to);
     R t_in = load<R>(rays.t_min + i), t_end = min(load<R>(t_max + i), R(__DBL_MAX__)), axis_in = R(kStart);
-    Mask<R> enters = Mask<R>(true);
+    unsigned bits = bits_of(t_in <= t_end);
+    if (rays.size - i < kWidth<R>) bits &= (1u << (rays.size - i)) - 1;
+    if (bits == 0) continue;
+    to_grid<R>(*field.query, rays, i, to);
+    Mask<R> enters = mask_of_bits<R>(bits);
     for (int a = 0; a < 3; ++a) {
       const AxisOfRays<R> ray(load<R>(to.o[a] + i), load<R>(to.d[a] + i), load<R>(to.inverse[a] + i));
       const R low = R(field.low[a]), high = R(field.high[a]);
@@ -42,8 +46,7 @@ void enter_rays(const MarchField& field, const RayStream& rays, const double (&t
       t_end = select(ray.moves, min(t_end, far), t_end);
     }
     enters = enters & (t_in <= t_end) & (t_in < R(__builtin_inf()));
-    unsigned bits = bits_of(enters);
-    if (rays.size - i < kWidth<R>) bits &= (1u << (rays.size - i)) - 1;
+    bits = bits_of(enters);
     if (bits == 0) continue;
     for (int a = 0; a < 3; ++a) {
       const AxisOfRays<R> ray(load<R>(to.o[a] + i), load<R>(to.d[a] + i), load<R>(to.inverse[a] + i));
@@ -66,10 +69,13 @@ void enter_rays(const MarchField& field, const RayStream& rays, const double (&t
 }
 
 /// Puts queued rays into cells that they are known to cross, as resume_in_cell (traverse.h) has it.
-/// cells  of the slots
+/// cells  of their slots
 template <Real R>
 void resume_rays(const RayStream& rays, const std::int32_t (&cells)[3][kStreamSize], WalkingRays& to) {
-  for (int i = 0; i < rays.size; i += kWidth<R>) {
+  for (int n = 0; n < to.size;) {
+    const int i =
+        to.queue[n] / kWidth<R> * kWidth<R>;  // in their order: the slots of a register lie together
+    while (n < to.size && to.queue[n] < i + kWidth<R>) ++n;
     R t_in = load<R>(rays.t_min + i), axis_in = R(kStart);
     for (int a = 0; a < 3; ++a) {
       for (int l = 0; l < kWidth<R>; ++l) to.cell[a][i + l] = double(cells[a][i + l]);

@@ -20,8 +20,8 @@ struct RayStarts {
   bool known[kStreamSize], doubt[kStreamSize];
 };
 
-// Whether a cell holds an iso-value.
-bool is_active(const MarchField& field, int iso, const std::int32_t (&cell)[3]) {
+// The iso-values that a cell holds, as bits.
+std::uint32_t isos_of(const MarchField& field, const std::int32_t (&cell)[3]) {
   std::int32_t brick[3];
   int block = 0, bit = 0;
   for (int a = 2; a >= 0; --a) {
@@ -31,7 +31,11 @@ bool is_active(const MarchField& field, int iso, const std::int32_t (&cell)[3]) 
     bit = bit * 4 + (at & 3);
   }
   const FoundBrick found = find_brick(field.bricks, brick);
-  return found.number != kNoBrick && (mask_of(field, iso, found.number, brick).cells[block] >> bit & 1);
+  std::uint32_t isos = 0;
+  if (found.number == kNoBrick) return isos;
+  for (int iso = 0; iso < field.query->iso_count; ++iso)
+    isos |= std::uint32_t(mask_of(field, iso, found.number, brick).cells[block] >> bit & 1) << iso;
+  return isos;
 }
 
 // All that one stream's rays are on their way.
@@ -47,19 +51,15 @@ class FoundCells {
 
   FoundCells(const MarchField& field, const StreamKernels& kernels, const RayStream& rays,
              const Journey& journey, const std::uint16_t* slots, int count)
-      : field_(field), query_(*field.query), rays_(rays), journey_(journey), slots_(slots) {
+      : query_(*field.query), rays_(rays), journey_(journey), slots_(slots) {
     kernels.chords(journey.rays, slots, count, chords_);
+    for (int l = 0; l < count; ++l)
+      for (std::uint32_t isos = query_.iso_count == 1 ? 1 : isos_of(field, chords_.cell[l]); isos;
+           isos &= isos - 1)
+        held_[__builtin_ctz(isos)] |= 1u << l;
   }
 
-  [[nodiscard]] std::uint32_t holding(int iso, std::uint32_t lanes) const {
-    if (query_.iso_count == 1) return lanes;
-    std::uint32_t held = 0;
-    for (std::uint32_t rest = lanes; rest; rest &= rest - 1) {
-      const int l = __builtin_ctz(rest);
-      held |= std::uint32_t(is_active(field_, iso, chords_.cell[l])) << l;
-    }
-    return held;
-  }
+  [[nodiscard]] std::uint32_t holding(int iso, std::uint32_t lanes) const { return held_[iso] & lanes; }
 
   template <class T>
   std::uint32_t fetch(int iso, std::uint32_t lanes, CellPacket<T>& packet, std::uint32_t& doubtful) const {
@@ -115,12 +115,12 @@ class FoundCells {
     return chord_slack<T>(ray_slack(query_, o, d), chords_.t_in[l], chords_.t_out[l]);
   }
 
-  const MarchField& field_;
   const VolumeQuery& query_;
   const RayStream& rays_;
   const Journey& journey_;
   const std::uint16_t* slots_;
   CellChords chords_;
+  std::uint32_t held_[kMaxIsos] = {};  // the lanes whose cell holds each iso-value
 };
 
 // Solves the cells of `count` rays from `slots` on; those without a root are put back into the queue.
@@ -180,6 +180,19 @@ void trace(const MarchField& field, const StreamKernels& kernels, const RayStrea
 
 }  // namespace
 
+const BrickMask& new_mask_of_all(const MarchField& field, std::size_t brick, const std::int32_t (&at)[3]) {
+  if (!field.united) return new_mask(field, 0, brick, at);
+  return field.united->of(brick, [&] {
+    auto all = std::make_unique<BrickMask>();
+    for (int iso = 0; iso < field.query->iso_count; ++iso) {
+      const BrickMask& mask = mask_of(field, iso, brick, at);
+      all->blocks |= mask.blocks;
+      for (int b = 0; b < 64; ++b) all->cells[b] |= mask.cells[b];
+    }
+    return all->blocks ? std::move(all) : nullptr;
+  });
+}
+
 const BrickMask& new_mask(const MarchField& field, int iso, std::size_t brick, const std::int32_t (&at)[3]) {
   std::int32_t first[3];
   for (int a = 0; a < 3; ++a) first[a] = field.bricks.origin[a] + at[a] * kBrickSize;
@@ -208,10 +221,11 @@ void trace_first_hits(const MarchField& field, const StreamKernels& kernels, con
 void trace_next_hits(const MarchField& field, const StreamKernels& kernels, const RayStream& rays,
                      HitStream& hits, TraceCounts& counts) {
   Journey journey;
-  bool asked[kStreamSize];
+  double t_max[kStreamSize];
   for (int i = 0; i < rays.size; ++i) {
-    asked[i] = hits.object[i] == field.query->object && is_hit(hits, i);
-    if (!asked[i]) continue;
+    const bool asked = hits.object[i] == field.query->object && is_hit(hits, i);
+    t_max[i] = asked ? rays.t_max[i] : -__builtin_inf();
+    if (!asked) continue;
     hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = __builtin_inf();
     RayStarts& starts = journey.starts;
     starts.known[i] = true;
@@ -221,11 +235,8 @@ void trace_next_hits(const MarchField& field, const StreamKernels& kernels, cons
     starts.iso_of_hit[i] = static_cast<std::int8_t>(hits.iso[i]);
     starts.doubt[i] = false;
   }
-  kernels.enter(field, rays, rays.t_max, journey.rays);
+  kernels.enter(field, rays, t_max, journey.rays);
   kernels.resume(rays, hits.cell, journey.rays);
-  const auto end = std::remove_if(journey.rays.queue, journey.rays.queue + journey.rays.size,
-                                  [&](std::uint16_t slot) { return !asked[slot]; });
-  journey.rays.size = static_cast<int>(end - journey.rays.queue);
   trace(field, kernels, rays, journey, hits, counts);
 }
 
