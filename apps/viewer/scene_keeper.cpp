@@ -2,6 +2,7 @@
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/scene_build/applicable_methods.h>
 #include <isocast/apps/scene_build/formula_input.h>
+#include <isocast/apps/scene_build/no_surface.h>
 #include <isocast/apps/scene_build/scene_file.h>
 #include <isocast/apps/viewer/scene_document.h>
 #include <isocast/apps/viewer/scene_keeper.h>
@@ -151,10 +152,28 @@ void SceneKeeper::prepare_previews() {
 }
 
 MethodRestorer::~MethodRestorer() {
-  const BuiltObject& object = keeper_.built().objects.front();
-  if (object.change_method)
-    object.change_method(object.method, keeper_.description().objects.front().settings,
-                         evaluation_of(keeper_.words()));
+  const BuiltObject& object = keeper_.built().objects[object_];
+  object.change_method(object.method, keeper_.description().objects[object_].settings,
+                       evaluation_of(keeper_.words()));
+}
+
+bool SceneKeeper::has_methods(std::size_t object) const {
+  return built_ && object < built_->objects.size() && description_.objects[object].visible &&
+         built_->objects[object].change_method;
+}
+
+LoneObject SceneKeeper::alone(std::size_t object) const {
+  LoneObject lone{description_, *built_};
+  ObjectDescription& described = lone.description.objects[object];
+  described.clips.clear();
+  described.color_by.reset();
+  const BuiltObject& built = built_->objects[object];
+  for (SceneObject& other : lone.built.scene.objects) other.surface = std::make_shared<NoSurface>();
+  for (std::size_t part = 0; part < built.count; ++part)
+    lone.built.scene.objects[built.place + part].surface = built.unclipped[part];
+  lone.description.objects = {std::move(described)};
+  lone.built.objects = {built};
+  return lone;
 }
 
 SceneNews SceneKeeper::news() const {

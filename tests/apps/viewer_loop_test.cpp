@@ -251,15 +251,17 @@ TEST_CASE("f along a ray through a volume has its cells") {
   const std::filesystem::path file = folder / "zeros.mha";
   write_compressed_zeros(file, 8);
   const auto volume = std::make_shared<const Volume>(read_volume(file));
-  const VolumeSurface surface(volume, {.iso = {0.5}});
-  const RayProfile profile = profile_along(surface, volume.get(), {-10, 3.5, 3.5}, {1, 0, 0}, 100);
+  BuiltObject object;
+  object.volume = volume;
+  object.unclipped = {std::make_shared<VolumeSurface>(volume, VolumeSurfaceOptions{.iso = {0.5}})};
+  const RayProfile profile = profile_along(object, {{-10, 3.5, 3.5}, {1, 0, 0}}, 100);
   CHECK(profile.t0 == Approx(10));
   CHECK(profile.t1 == Approx(17));
   REQUIRE(profile.borders.size() == 8);
   CHECK(profile.borders[3] == Approx(13));
   REQUIRE(profile.values.size() == 101);
   CHECK(profile.values[50] == 0);
-  CHECK(profile_along(surface, volume.get(), {-10, 30, 3.5}, {1, 0, 0}, 100).values.empty());
+  CHECK(profile_along(object, {{-10, 30, 3.5}, {1, 0, 0}}, 100).values.empty());
 }
 
 TEST_CASE("the resolution of previews follows what pictures cost") {

@@ -101,8 +101,8 @@ void App::save(const std::string& file) {
 
 void App::probe(int x, int y) {
   probe_open = true;
-  loop.post([this, x, y](const JobScene& scene) {
-    new_probe = std::make_shared<const PixelProbe>(probe_pixel(scene, x, y));
+  loop.post([this, x, y, chosen = session.current](const JobScene& scene) {
+    new_probe = std::make_shared<const PixelProbe>(probe_pixel(scene, x, y, chosen));
   });
 }
 
@@ -140,9 +140,11 @@ void App::ask() {
   wish.overlay = overlay;
   wish.other = other_method;
   wish.points = points;
+  const bool of_object = points || overlay == Overlay::error || overlay == Overlay::difference;
+  wish.object = of_object ? session.current : 0;  // another choice alone asks for no other picture
   const auto same = [&](const Wish& a, const Wish& b) {
     return a.words == b.words && a.hold_full == b.hold_full && a.overlay == b.overlay && a.other == b.other &&
-           a.points == b.points;
+           a.points == b.points && a.object == b.object;
   };
   settled = same(wish, asked_);
   if (settled) return;
