@@ -42,6 +42,8 @@ class Mailbox {
   /// Wakes the render thread without a wish.
   void wake();
   [[nodiscard]] bool has_newer(std::uint64_t revision) const { return revision_ > revision; }
+  /// The newest wish has to wait for work on an older one.
+  [[nodiscard]] bool is_behind() const { return running_.load() && revision_ > worked_on_; }
   [[nodiscard]] bool closed() const { return closed_; }
 
   /// Registers work on a wish for as long as it lives. progress may be null; it counts tiles.

@@ -59,7 +59,7 @@ class SceneKeeper {
   std::shared_ptr<VolumeSurface> walker_;  // of previews; null where they have the scene's own surfaces
   SceneDescription description_;
   RenderWords words_;
-  std::vector<std::string> source_, failed_;
+  std::vector<std::string> source_, failed_;  // failed_: with the frame
   std::string failure_;
   int scene_ = 0;
   std::set<std::size_t> moved_;  // objects whose methods were not chosen since

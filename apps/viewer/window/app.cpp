@@ -106,15 +106,23 @@ void App::probe(int x, int y) {
   });
 }
 
+// Iso-values that the scene has by itself, and which may change from frame to frame.
+void App::adopt_news() {
+  if (!news->error.empty() || news->objects.size() != session.objects.size()) return;
+  const bool newest = news->revision == asked_revision_;
+  for (std::size_t k = 0; k < session.objects.size(); ++k) {
+    SessionObject& object = session.objects[k];
+    const bool animated = session.frame && newest && object.surfaces == object.adopted;
+    if (object.surfaces.empty() || animated)
+      adopt_surfaces(object, news->objects[k].iso, news->objects[k].materials);
+  }
+}
+
 void App::take_results() {
   loop.nudge();
   if (const auto now = loop.news(); now && now != news) {
     news = now;
-    if (news->scene != adopted_scene && news->error.empty()) { adopted_scene = news->scene; }
-    if (news->error.empty() && news->objects.size() == session.objects.size())
-      for (std::size_t k = 0; k < session.objects.size(); ++k)
-        if (session.objects[k].surfaces.empty())
-          adopt_surfaces(session.objects[k], news->objects[k].iso, news->objects[k].materials);
+    adopt_news();
   }
   if (auto now = new_probe.exchange(nullptr)) probed = now;
   if (auto now = new_message.exchange(nullptr)) message = *now;
@@ -149,12 +157,20 @@ void App::ask() {
   settled = same(wish, asked_);
   if (settled) return;
   asked_ = wish;
-  loop.ask(std::move(wish));
+  asked_revision_ = loop.ask(std::move(wish));
   settled = true;
 }
 
-void App::frame(double wait_seconds) {
-  window.begin_frame(wait_seconds);
+// Seconds without a frame, unless an event or a result comes: drawing takes the processors from rendering.
+double App::patience() const {
+  constexpr double kMoving = 1.0 / 120, kProgress = 1.0 / 20, kResting = 0.25;
+  if (lively_ > 0 || playing || loop.is_behind() || times.frames < 6) return kMoving;
+  return loop.loading() ? kProgress : kResting;
+}
+
+void App::frame() {
+  constexpr int kLively = 3;  // until widgets have settled
+  lively_ = window.begin_frame(patience()) ? kLively : lively_ - (lively_ > 0);
   const double start = processor_ms();
   take_results();
   draw_interface(*this);
