@@ -145,7 +145,8 @@ void run(const ProbeWords& words) {
   if (is_scene_file(words.scene.input)) {
     const BuiltScene all = build_scene(description, {isa, false});
     scene_view.emplace(frame(all.scene.bounds(), description.camera, double(width) / height), width, height);
-    description.objects = {probed(description.objects[object_at(all, *scene_view, pixel[0], pixel[1])])};
+    const std::size_t object = object_at(all, *scene_view, pixel[0], pixel[1]).value_or(0);
+    description.objects = {probed(description.objects[object])};
   }
   const std::vector<ProbeMethod> methods = methods_of(description.objects.front());
   const BuiltScene built = build_scene(description, {isa, false});

@@ -93,7 +93,7 @@ std::string contradiction_of(const reference::RayTruth& truth, Certificate certi
   return fmt::format("a root between {:.17g} and {:.17g} is proved, but there is none", t_lo, t_hi);
 }
 
-std::size_t object_at(const BuiltScene& built, const View& view, int x, int y) {
+std::optional<std::size_t> object_at(const BuiltScene& built, const View& view, int x, int y) {
   const auto ray = std::make_unique<OneRay>(view, x, y);
   TraceCounts counts;
   for (const SceneObject& object : built.scene.objects)
@@ -102,7 +102,7 @@ std::size_t object_at(const BuiltScene& built, const View& view, int x, int y) {
     const BuiltObject& object = built.objects[i];
     if (ray->hits.object[0] >= object.place && ray->hits.object[0] < object.place + object.count) return i;
   }
-  return 0;
+  return std::nullopt;
 }
 
 Probe probe_ray(const SceneDescription& description, const BuiltScene& built, const View& view, int x, int y,
@@ -123,7 +123,7 @@ Probe probe_ray(const SceneDescription& description, const BuiltScene& built, co
   if (!bounds.empty())  // else there is nothing
     probe.truth = reference->solve(probe.origin, probe.direction, 0, reach(bounds, rays));
 
-  const Surface& surface = *built.scene.objects.front().surface;
+  const Surface& surface = *built.scene.objects[built.objects.front().place].surface;
   const reference::RayRoot* const first = bench::first_crossing(probe.truth);
   for (const auto& [method, settings] : methods)
     for (const bool precise : {false, true}) {

@@ -6,6 +6,7 @@
 #include <isocast/render/camera.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,12 +46,11 @@ struct Probe {
   std::vector<ProbeAnswer> answers;
 };
 
-/// The object of a scene's description that the ray through the centre of pixel (x, y) hits first, by number;
-/// 0 where it hits nothing.
-[[nodiscard]] std::size_t object_at(const BuiltScene& built, const View& view, int x, int y);
+/// The object of a scene's description that the ray through the centre of pixel (x, y) hits first, by number.
+[[nodiscard]] std::optional<std::size_t> object_at(const BuiltScene& built, const View& view, int x, int y);
 
-/// The ray through the centre of pixel (x, y) to the scene's only object, a volume or a formula, with each of
-/// the methods in float and double.
+/// The ray through the centre of pixel (x, y) to the description's only object, a volume or a formula, with
+/// each of the methods in float and double.
 [[nodiscard]] Probe probe_ray(const SceneDescription& description, const BuiltScene& built, const View& view,
                               int x, int y, const std::vector<ProbeMethod>& methods, Isa isa);
 

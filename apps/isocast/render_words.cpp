@@ -74,6 +74,12 @@ NormalKind normals_from(const std::string& name) {
                                : NormalKind::gradient;
 }
 
+// The frame that a viewer shows ("N:N"), or the first.
+int frame_of(const RenderWords& words, const SceneDescription& all) {
+  if (words.frames.empty()) return frames_of(all)[0];
+  return static_cast<int>(parse_number(split(words.frames, ':').front(), "--frames"));
+}
+
 // The input as the only object.
 ObjectDescription describe_object(const RenderWords& words) {
   ObjectDescription object;
@@ -248,9 +254,9 @@ SceneDescription describe_frame(const RenderWords& words, const SceneDescription
 
 SceneDescription describe(const RenderWords& words) {
   const SceneDescription all = describe_all(words);
-  FrameJob first{.number = frames_of(all)[0]};
-  if (!words.time.empty()) first.time = parse_time(words);
-  return describe_frame(words, all, first);
+  FrameJob job{.number = frame_of(words, all)};
+  if (!words.time.empty()) job.time = parse_time(words);
+  return describe_frame(words, all, job);
 }
 
 std::array<int, 2> size_of(const RenderWords& words, const SceneDescription& scene) {

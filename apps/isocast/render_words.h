@@ -65,7 +65,7 @@ void change_camera(const RenderWords& words, CameraWishes& camera);
 /// That scene at a frame.
 [[nodiscard]] SceneDescription describe_frame(const RenderWords& words, const SceneDescription& all,
                                               const FrameJob& job);
-/// The scene at its first frame, but for the iso-values of --iso.
+/// The scene at the first of --frames, or its own first frame, but for the iso-values of --iso.
 [[nodiscard]] SceneDescription describe(const RenderWords& words);
 
 /// The size of the picture: the words', else the scene's, else 1024x1024.

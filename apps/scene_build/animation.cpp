@@ -141,6 +141,31 @@ void apply_keys(const std::vector<AnimationKey>& keys, int frame, SceneDescripti
   });
 }
 
+bool is_numbered(const std::filesystem::path& file) {
+  return file.filename().string().find('%') != std::string::npos;
+}
+
+// Whether any of its files has the frame's number in its name.
+bool follows_frames(const ObjectDescription& object) {
+  if (const auto* const csg = std::get_if<CsgSource>(&object.source))
+    return std::ranges::any_of(csg->of, follows_frames);
+  if (const auto* const volume = std::get_if<VolumeSource>(&object.source);
+      volume && is_numbered(volume->file))
+    return true;
+  if (const auto* const mesh = std::get_if<MeshSource>(&object.source); mesh && is_numbered(mesh->file))
+    return true;
+  const auto* const field = object.color_by ? std::get_if<VolumeSource>(&object.color_by->field) : nullptr;
+  return field && is_numbered(field->file);
+}
+
+// Whether other iso-values only move its surfaces.
+bool moves(const SceneDescription& scene, const std::string& name) {
+  return std::ranges::any_of(scene.objects, [&](const ObjectDescription& object) {
+    return object.name == name && (std::holds_alternative<VolumeSource>(object.source) ||
+                                   std::holds_alternative<FormulaSource>(object.source));
+  });
+}
+
 }  // namespace
 
 SceneDescription description_at(const SceneDescription& scene, int frame) {
@@ -153,6 +178,7 @@ SceneDescription description_at(const SceneDescription& scene, int frame) {
 SceneDescription at_time(const SceneDescription& scene, double time) {
   SceneDescription at = scene;
   at.time = time;
+  for (SolidDescription& clip : at.clips) clip.time = time;
   for_each(at.objects, [&](ObjectDescription& object) { set_time(object, time); });
   return at;
 }
@@ -160,6 +186,14 @@ SceneDescription at_time(const SceneDescription& scene, double time) {
 std::array<int, 2> frames_of(const SceneDescription& scene) {
   if (!scene.animation) return {0, 0};
   return {scene.animation->first, scene.animation->last};
+}
+
+bool rebuilt_by_frames(const SceneDescription& scene) {
+  if (std::ranges::any_of(scene.objects, follows_frames)) return true;
+  return scene.animation && std::ranges::any_of(scene.animation->keys, [&](const AnimationKey& key) {
+           return key.time || !key.parameters.empty() ||
+                  !std::ranges::all_of(key.iso, [&](const auto& iso) { return moves(scene, iso.first); });
+         });
 }
 
 std::filesystem::path numbered_file(const std::filesystem::path& file, int frame) {

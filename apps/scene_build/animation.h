@@ -18,6 +18,9 @@ namespace isocast {
 /// The first and the last frame: without an animation 0 and 0.
 [[nodiscard]] std::array<int, 2> frames_of(const SceneDescription& scene);
 
+/// Whether frames differ in more than their cameras and the iso-values of volumes and formulas.
+[[nodiscard]] bool rebuilt_by_frames(const SceneDescription& scene);
+
 /// "ct_%04d.nrrd" with the frame's number; a name without % stays. Throws InputError for any other use of %.
 [[nodiscard]] std::filesystem::path numbered_file(const std::filesystem::path& file, int frame);
 

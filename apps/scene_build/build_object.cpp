@@ -197,13 +197,18 @@ void build(ObjectSurface& object, const InstanceSource& /*source*/, const Object
 
 }  // namespace
 
-std::shared_ptr<const Surface> clipped(const std::shared_ptr<const Surface>& surface,
-                                       const std::vector<SolidDescription>& solids, std::uint16_t number) {
-  if (solids.empty()) return surface;
+std::vector<std::shared_ptr<const Surface>> clipped(
+    const std::vector<std::shared_ptr<const Surface>>& surfaces, const std::vector<SolidDescription>& solids,
+    std::size_t place) {
+  if (solids.empty()) return surfaces;
   std::vector<std::shared_ptr<const Region>> regions;
   for (const SolidDescription& solid : solids)
     regions.push_back(std::make_shared<FormulaRegion>(solid.formula, solid.time));
-  return std::make_shared<ClippedSurface>(surface, std::move(regions), number);
+  std::vector<std::shared_ptr<const Surface>> cut;
+  for (const auto& surface : surfaces)
+    cut.push_back(
+        std::make_shared<ClippedSurface>(surface, regions, static_cast<std::uint16_t>(place + cut.size())));
+  return cut;
 }
 
 ObjectSurface build_object(const ObjectDescription& description, const BuildContext& context) {
@@ -213,7 +218,7 @@ ObjectSurface build_object(const ObjectDescription& description, const BuildCont
   std::visit([&](const auto& source) { build(object, source, description, context); }, description.source);
   list(object.built, !description.clips.empty(), "clip solids");
   object.built.unclipped = {object.surface};
-  object.surface = clipped(object.surface, description.clips, context.number);
+  object.surface = clipped(object.built.unclipped, description.clips, context.number).front();
   const BuiltObject& built = object.built;
   if (object.materials.empty())
     object.materials =

@@ -75,10 +75,10 @@ struct ObjectSurface {
 /// The object of a description, but for instances. Throws InputError.
 [[nodiscard]] ObjectSurface build_object(const ObjectDescription& description, const BuildContext& context);
 
-/// What of the surface, of that number, lies in all solids.
-[[nodiscard]] std::shared_ptr<const Surface> clipped(const std::shared_ptr<const Surface>& surface,
-                                                     const std::vector<SolidDescription>& solids,
-                                                     std::uint16_t number);
+/// What of the surfaces, whose numbers begin with `place`, lies in all solids.
+[[nodiscard]] std::vector<std::shared_ptr<const Surface>> clipped(
+    const std::vector<std::shared_ptr<const Surface>>& surfaces, const std::vector<SolidDescription>& solids,
+    std::size_t place);
 
 /// Materials in number, as the description repeats them.
 [[nodiscard]] std::vector<Material> materials_of(const MaterialDescription& description, std::size_t count);

@@ -7,6 +7,12 @@
 
 namespace isocast {
 
+std::vector<SolidDescription> SceneDescription::clips_of(std::size_t object) const {
+  std::vector<SolidDescription> all = objects[object].clips;
+  all.insert(all.end(), clips.begin(), clips.end());
+  return all;
+}
+
 Color color_from_hex(const std::string& text) {
   unsigned code = 0;
   const bool shaped = text.size() == 7 && text[0] == '#';

@@ -116,9 +116,11 @@ struct RenderWishes {
 /// A scene of one object until others are added, its lights and environment (a picture of all directions;
 /// empty: none), and what is fixed of its camera.
 ///
+/// clips              of all objects
 /// cameras            by name; `camera` is the one in use
 struct SceneDescription {
   std::vector<ObjectDescription> objects = std::vector<ObjectDescription>(1);
+  std::vector<SolidDescription> clips;
   CameraWishes camera;
   std::map<std::string, CameraWishes> cameras;
   std::vector<Double3> lights;
@@ -129,6 +131,9 @@ struct SceneDescription {
   double time = 0;
   std::optional<Animation> animation;
   RenderWishes wishes;
+
+  /// Everything that cuts an object: its own solids and the scene's.
+  [[nodiscard]] std::vector<SolidDescription> clips_of(std::size_t object) const;
 };
 
 /// "#rrggbb", sRGB, as linear RGB; throws InputError for anything else.

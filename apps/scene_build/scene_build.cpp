@@ -60,6 +60,9 @@ class Builder {
     // what only instances needed
     for (std::size_t k = 0; k < built_.objects.size(); ++k)
       if (!description_.objects[k].visible) hide(built_.objects[k]);
+    if (description_.clips.empty()) return;
+    built_.objects.front().features.emplace_back("clip solids");
+    for (std::size_t k = 0; k < built_.objects.size(); ++k) built_.set_clips(k, description_.clips_of(k));
   }
 
  private:
@@ -85,7 +88,8 @@ class Builder {
     built_.scene.objects.push_back({std::make_shared<NoSurface>(), {Material()}});
     built_.objects.push_back(std::move(nothing));
   }
-  void hide(const BuiltObject& object) {
+  void hide(BuiltObject& object) {
+    object.unclipped.clear();
     for (std::size_t part = 0; part < object.count; ++part)
       built_.scene.objects[object.place + part].surface = std::make_shared<NoSurface>();
   }
@@ -165,10 +169,12 @@ class Builder {
         if (own_materials && source.places.size() > 1 && copy.materials.size() == 1)
           copy.materials = {material_of(wanted.materials, i)};
         if (colors) copy.color_field = colors;
+        instances.unclipped.push_back(copy.surface);
         built_.scene.objects.push_back(std::move(copy));
       }
     instances.count = built_.scene.objects.size() - instances.place;
     built_.objects.push_back(std::move(instances));
+    if (!wanted.clips.empty()) built_.set_clips(built_.objects.size() - 1, wanted.clips);
   }
 
   const SceneDescription& description_;
@@ -204,12 +210,9 @@ bool BuiltScene::choose_method(std::size_t object) {
 }
 
 void BuiltScene::set_clips(std::size_t object, const std::vector<SolidDescription>& clips) {
-  const BuiltObject& clipped_one = objects[object];
-  for (std::size_t part = 0; part < clipped_one.unclipped.size(); ++part) {
-    const std::size_t number = clipped_one.place + part;
-    scene.objects[number].surface =
-        clipped(clipped_one.unclipped[part], clips, static_cast<std::uint16_t>(number));
-  }
+  std::size_t number = objects[object].place;
+  for (const auto& surface : clipped(objects[object].unclipped, clips, number))
+    scene.objects[number++].surface = surface;
 }
 
 bool BuiltScene::proves() const { return std::ranges::any_of(objects, &BuiltObject::proves); }

@@ -22,7 +22,7 @@ struct BuiltScene {
   /// Chooses an object's method as if the scene were built with the iso-values that it has now; returns
   /// whether it is another one. Without this a moved surface keeps its method.
   bool choose_method(std::size_t object);
-  /// Other clip solids of an object; nothing is rebuilt.
+  /// Other clip solids of an object, all that cut it (SceneDescription::clips_of); nothing is rebuilt.
   void set_clips(std::size_t object, const std::vector<SolidDescription>& clips);
   /// Whether any object's hits and misses come with proofs.
   [[nodiscard]] bool proves() const;

@@ -157,6 +157,7 @@ SceneDescription scene_from_text(const std::string& text, const std::string& sou
   };
   wish("size", scene.wishes.size), wish("spp", scene.wishes.spp);
   wish("transparency_depth", scene.wishes.transparency_depth), wish("reflections", scene.wishes.reflections);
+  if (value.contains("clip")) scene.clips = clips_from_json(value["clip"], "clip", context);
   scene.objects.clear();
   for (std::size_t i = 0; i < value["objects"].size(); ++i)
     scene.objects.push_back(object_from_json(value["objects"][i], fmt::format("objects[{}]", i), context));

@@ -11,6 +11,33 @@
 namespace isocast {
 namespace {
 
+Parameters parameters_of(const SceneJson& value) {
+  Parameters parameters;
+  if (value.contains("params"))
+    for (const auto& [name, number] : value["params"].items())
+      parameters.push_back({name, shortest_constant(number.get<double>())});
+  return parameters;
+}
+
+SolidDescription clip_from_json(const SceneJson& value, const std::string& path,
+                                const SceneContext& context) {
+  const auto fail = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: {}: {}", context.source, path, what));
+  };
+  const int kinds = value.contains("plane") + value.contains("box") + value.contains("formula");
+  if (kinds != 1) fail(fmt::format("found {} of plane, box and formula, expected one", kinds));
+  std::string text;
+  if (value.contains("plane")) text = plane_formula(value["plane"].get<std::array<double, 4>>());
+  if (value.contains("box"))
+    text = box_formula(point_from_json(value["box"][0]), point_from_json(value["box"][1]));
+  if (value.contains("formula")) text = value["formula"];
+  SolidDescription solid{{}, context.time};
+  try {
+    solid.formula = parse_expression(text, parameters_of(value));
+  } catch (const InputError& error) { fail(error.what()); }
+  return solid;
+}
+
 // One object while it is read: knows where it stands in the file.
 class ObjectReader {
  public:
@@ -32,8 +59,7 @@ class ObjectReader {
     object.by_component = value_.value("color_components", false);
     if (value_.contains("material")) object.materials = read_material(value_["material"]);
     if (value_.contains("transform")) object.place = in_place("transform", value_["transform"]);
-    for (std::size_t i = 0; i < list("clip").size(); ++i)
-      object.clips.push_back(read_clip(list("clip")[i], fmt::format("{}.clip[{}]", path_, i)));
+    object.clips = clips_from_json(list("clip"), path_ + ".clip", {context_.source, context_.folder, time()});
     if (value_.contains("color_by")) object.color_by = read_color_by(value_["color_by"]);
     return object;
   }
@@ -63,13 +89,6 @@ class ObjectReader {
     return context_.folder / value["file"].get<std::string>();
   }
   [[nodiscard]] double time() const { return value_.value("time", context_.time); }
-  [[nodiscard]] static Parameters parameters_of(const SceneJson& value) {
-    Parameters parameters;
-    if (value.contains("params"))
-      for (const auto& [name, number] : value["params"].items())
-        parameters.push_back({name, shortest_constant(number.get<double>())});
-    return parameters;
-  }
 
   Source read_source() {
     const std::string type = value_["type"];
@@ -167,18 +186,6 @@ class ObjectReader {
     material.speculars = shares("specular");
     return material;
   }
-  [[nodiscard]] SolidDescription read_clip(const SceneJson& value, const std::string& path) const {
-    const int kinds = value.contains("plane") + value.contains("box") + value.contains("formula");
-    if (kinds != 1) fail(path, fmt::format("found {} of plane, box and formula, expected one", kinds));
-    std::string text;
-    if (value.contains("plane")) text = plane_formula(value["plane"].get<std::array<double, 4>>());
-    if (value.contains("box"))
-      text = box_formula(point_from_json(value["box"][0]), point_from_json(value["box"][1]));
-    if (value.contains("formula")) text = value["formula"];
-    try {
-      return {parse_expression(text, parameters_of(value)), time()};
-    } catch (const InputError& error) { fail(path, error.what()); }
-  }
   [[nodiscard]] ColorBy read_color_by(const SceneJson& value) const {
     const std::string path = path_ + ".color_by";
     ColorBy colors;
@@ -219,6 +226,14 @@ class ObjectReader {
 ObjectDescription object_from_json(const SceneJson& value, const std::string& path,
                                    const SceneContext& context) {
   return ObjectReader(value, path, context).read();
+}
+
+std::vector<SolidDescription> clips_from_json(const SceneJson& value, const std::string& path,
+                                              const SceneContext& context) {
+  std::vector<SolidDescription> clips;
+  for (std::size_t i = 0; i < value.size(); ++i)
+    clips.push_back(clip_from_json(value[i], fmt::format("{}[{}]", path, i), context));
+  return clips;
 }
 
 Color color_from_json(const SceneJson& value) {

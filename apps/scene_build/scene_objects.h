@@ -20,6 +20,10 @@ struct SceneContext {
 [[nodiscard]] ObjectDescription object_from_json(const SceneJson& value, const std::string& path,
                                                  const SceneContext& context);
 
+/// A list of clip solids; null: none. path, errors: as above.
+[[nodiscard]] std::vector<SolidDescription> clips_from_json(const SceneJson& value, const std::string& path,
+                                                            const SceneContext& context);
+
 [[nodiscard]] Color color_from_json(const SceneJson& value);
 [[nodiscard]] Double3 point_from_json(const SceneJson& value);
 

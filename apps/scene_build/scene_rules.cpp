@@ -232,6 +232,7 @@ struct SceneRules {
                {"objects", &kObjects, "what is seen", true},
                {"camera", &kCamera, "from where"},
                {"cameras", &kCameras, "or several, by name; without a choice the first by the alphabet"},
+               {"clip", &kClips, "of every object only what lies in all of these is kept"},
                {"lights", &kLights, "default: a headlight"},
                {"shadows", &kFlag, "of the directional lights; default: false"},
                {"background", &kBackground, "default: white"},

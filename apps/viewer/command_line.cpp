@@ -56,6 +56,7 @@ std::string command_line(const RenderWords& words, const std::string& output) {
   line.add("--param", words.params);
   line.add("--domain", words.domain);
   line.add("--time", words.time);
+  line.add("--frames", words.frames);
   line.add("--method", words.method, plain.method);
   line.add("--set", words.set);
   line.add("--precision", words.precision, plain.precision);

@@ -18,16 +18,19 @@ struct MethodPoint {
   int wrong = 0, known = 0;
 };
 
-/// The picture of another method, as screen pixels; the scene is left as it was. Throws Interrupted, and
-/// InputError for a method that does not apply.
-[[nodiscard]] std::vector<std::uint8_t> other_picture(const JobScene& scene, const std::string& method);
+/// What follows is of one object, which has methods; the scene is left as it was, and Interrupted is thrown.
+///
+/// The picture with another method, as screen pixels. Throws InputError for a method that does not apply.
+[[nodiscard]] std::vector<std::uint8_t> other_picture(const JobScene& scene, std::size_t object,
+                                                      const std::string& method);
 
-/// The picture with the errors of its depths against the reference mixed in, first every 16th pixel, at last
-/// each: from dark (1e-8 voxels or domain widths) to bright (1); red: a hit that is none, or none where one
-/// is; grey: the reference does not know. Throws Interrupted.
-void show_errors(const JobScene& scene, const std::function<void(Picture)>& show);
+/// The errors of the object's depths, as if it were alone, against the reference over the picture, first
+/// every 16th pixel, at last each: from dark (1e-8 voxels or domain widths) to bright (1); red: a hit that is
+/// none, or none where one is; grey: the reference does not know.
+void show_errors(const JobScene& scene, std::size_t object, const std::function<void(Picture)>& show);
 
-/// All applicable methods as they are, one after the other. Throws Interrupted.
-void find_points(const JobScene& scene, const std::function<void(const std::vector<MethodPoint>&)>& show);
+/// All applicable methods as they are, one after the other, of the object as if it were alone.
+void find_points(const JobScene& scene, std::size_t object,
+                 const std::function<void(const std::vector<MethodPoint>&)>& show);
 
 }  // namespace isocast::viewer

@@ -16,6 +16,29 @@ void set(std::vector<NamedNumber>& numbers, const std::string& name, double valu
 
 bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
+bool text_uses_time(std::string text) {
+  if (text.starts_with('@'))
+    if (const CatalogueSurface* surface = find_surface(std::string_view(text).substr(1)))
+      text = surface->expr;
+  for (std::size_t at = text.find('w'); at != std::string::npos; at = text.find('w', at + 1))
+    if ((at == 0 || !is_letter(text[at - 1])) && (at + 1 == text.size() || !is_letter(text[at + 1])))
+      return true;
+  return false;
+}
+
+// Any formula in the document, wherever it stands.
+bool document_uses_time(const SceneJson& part) {
+  if (part.is_array()) return std::ranges::any_of(part, document_uses_time);
+  if (!part.is_object()) return false;
+  return std::ranges::any_of(part.items(), [](const auto& item) {
+    const SceneJson& value = item.value();
+    if (!value.is_string()) return document_uses_time(value);
+    const std::string& key = item.key();
+    if (key == "id") return text_uses_time("@" + value.get<std::string>());
+    return (key == "expr" || key == "formula") && text_uses_time(value);
+  });
+}
+
 }  // namespace
 
 std::vector<NamedNumber> parameters_of(const RenderWords& words) {
@@ -31,16 +54,9 @@ std::vector<NamedNumber> parameters_of(const RenderWords& words) {
   return numbers;
 }
 
-bool uses_time(const RenderWords& words) {
-  if (!words.time.empty()) return true;
-  std::string text = words.input;
-  if (text.starts_with('@'))
-    if (const CatalogueSurface* surface = find_surface(std::string_view(text).substr(1)))
-      text = surface->expr;
-  for (std::size_t at = text.find('w'); at != std::string::npos; at = text.find('w', at + 1))
-    if ((at == 0 || !is_letter(text[at - 1])) && (at + 1 == text.size() || !is_letter(text[at + 1])))
-      return true;
-  return false;
+bool uses_time(const Session& session) {
+  if (!session.words.time.empty()) return true;
+  return session.document ? document_uses_time(*session.document) : text_uses_time(session.words.input);
 }
 
 }  // namespace isocast::viewer

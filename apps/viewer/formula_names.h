@@ -1,7 +1,7 @@
 // The names of a formula that have sliders.
 #pragma once
 
-#include <isocast/apps/isocast/render_words.h>
+#include <isocast/apps/viewer/session.h>
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ struct NamedNumber {
 /// inputs.
 [[nodiscard]] std::vector<NamedNumber> parameters_of(const RenderWords& words);
 
-/// Whether time is given or the input's text may use w.
-[[nodiscard]] bool uses_time(const RenderWords& words);
+/// Whether time is given or the formula, or one of the scene's, may use w.
+[[nodiscard]] bool uses_time(const Session& session);
 
 }  // namespace isocast::viewer

@@ -41,15 +41,15 @@ void IdleWork::run(const JobScene& scene) {
 }
 
 void IdleWork::run_extras(const JobScene& scene, const Wish& wish, const std::function<void(Picture)>& show) {
-  if (scene.keeper.built().objects.size() > 1 || !scene.keeper.built().objects.front().change_method) return;
+  if (!scene.keeper.has_methods(wish.object)) return;
   if (wish.overlay == Overlay::difference && !wish.other.empty()) {
     Picture both = scene.picture;
-    both.other = other_picture(scene, wish.other);
+    both.other = other_picture(scene, wish.object, wish.other);
     show(std::move(both));
   }
-  if (wish.overlay == Overlay::error) show_errors(scene, show);
+  if (wish.overlay == Overlay::error) show_errors(scene, wish.object, show);
   if (wish.points)
-    find_points(scene, [&](const std::vector<MethodPoint>& points) {
+    find_points(scene, wish.object, [&](const std::vector<MethodPoint>& points) {
       results_.points = std::make_shared<const std::vector<MethodPoint>>(points);
     });
 }

@@ -2,13 +2,6 @@
 
 namespace isocast::viewer {
 
-void RunningWork::end() {
-  if (stop.stop_requested()) return;
-  stopped = Clock::now();
-  tiles = progress ? progress->done() : 0;
-  stop.request_stop();
-}
-
 void Mailbox::put(std::shared_ptr<const Wish> wish) {
   const std::uint64_t revision = wish->revision;
   wish_.store(std::move(wish));
@@ -20,12 +13,12 @@ void Mailbox::put(std::shared_ptr<const Wish> wish) {
 void Mailbox::nudge() {
   if (!closed_ && revision_ <= worked_on_) return;
   const std::shared_ptr<RunningWork> running = running_.load();
-  if (running && (closed_ || Clock::now() >= running->stays_until)) running->end();
+  if (running && (closed_ || Clock::now() >= running->stays_until)) running->stop.request_stop();
 }
 
 void Mailbox::end_now(std::uint64_t before) {
   const std::shared_ptr<RunningWork> running = running_.load();
-  if (running && running->revision < before) running->end();
+  if (running && running->revision < before) running->stop.request_stop();
 }
 
 void Mailbox::close() {
@@ -47,10 +40,10 @@ std::shared_ptr<const Wish> Mailbox::wait_for_newer(std::uint64_t revision) {
 
 Mailbox::Work::Work(Mailbox& mailbox, std::uint64_t revision, double stays_ms, const Progress* progress)
     : mailbox_(mailbox), running_(std::make_shared<RunningWork>()) {
-  running_->progress = progress;
   running_->revision = revision;
   running_->stays_until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                              std::chrono::duration<double, std::milli>(stays_ms));
+  record_.emplace(stop(), [this, progress] { stopped_ = {Clock::now(), progress ? progress->done() : 0}; });
   mailbox.worked_on_ = revision;
   mailbox.running_.store(running_);
   mailbox.nudge();

@@ -5,21 +5,23 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 namespace isocast::viewer {
 
 /// Work that is going on. Before `stays_until` a newer wish does not end it: a preview is worth showing.
-/// stopped, tiles: when it was stopped and the tiles that were done by then.
 struct RunningWork {
   std::stop_source stop;
   std::uint64_t revision = 0;
   Clock::time_point stays_until;
-  const Progress* progress = nullptr;
-  std::atomic<Clock::time_point> stopped = Clock::time_point();
-  std::atomic<std::int64_t> tiles = 0;
-  void end();
+};
+/// When work was stopped, and its tiles that were done once the stop could be seen.
+struct StopMoment {
+  Clock::time_point time;
+  std::int64_t tiles = 0;
 };
 inline constexpr double kStays = 1e9;  // ms: only end_now() ends it
 
@@ -40,6 +42,8 @@ class Mailbox {
   /// Wakes the render thread without a wish.
   void wake();
   [[nodiscard]] bool has_newer(std::uint64_t revision) const { return revision_ > revision; }
+  /// The newest wish has to wait for work on an older one.
+  [[nodiscard]] bool is_behind() const { return running_.load() && revision_ > worked_on_; }
   [[nodiscard]] bool closed() const { return closed_; }
 
   /// Registers work on a wish for as long as it lives. progress may be null; it counts tiles.
@@ -50,11 +54,17 @@ class Mailbox {
     Work(const Work&) = delete;
     Work& operator=(const Work&) = delete;
     [[nodiscard]] std::stop_token stop() const { return running_->stop.get_token(); }
-    [[nodiscard]] const RunningWork& running() const { return *running_; }
+    /// Of work that was stopped; it is recorded by whoever stops it, for whose few instructions this waits.
+    [[nodiscard]] const StopMoment& stopped() {
+      record_.reset();
+      return stopped_;
+    }
 
    private:
     Mailbox& mailbox_;
     std::shared_ptr<RunningWork> running_;
+    StopMoment stopped_;
+    std::optional<std::stop_callback<std::function<void()>>> record_;
   };
 
  private:

@@ -27,7 +27,6 @@ std::vector<Layer> layers_of(Overlay overlay) {
   switch (overlay) {
     case Overlay::certificate: return {Layer::certificate};
     case Overlay::cost: return {Layer::cost};
-    case Overlay::error: return {Layer::depth};
     default: return {};
   }
 }

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <isocast/apps/scene_build/applicable_methods.h>
 #include <isocast/apps/viewer/probe_work.h>
 #include <isocast/base/error.h>
@@ -53,8 +54,10 @@ void set_cell(const Volume& volume, const Transform& grid_from_world, const Doub
 
 }  // namespace
 
-RayProfile profile_along(const Surface& surface, const Volume* volume, const Double3& o, const Double3& d,
-                         int steps) {
+RayProfile profile_along(const BuiltObject& object, const PixelRay& ray, int steps) {
+  const Surface& surface = *object.unclipped.front();
+  const Volume* const volume = object.volume.get();
+  const auto& [o, d] = ray;
   RayProfile profile;
   const auto part = chord(surface.bounds(), o, d);
   if (!part) return profile;
@@ -76,7 +79,7 @@ RayProfile profile_along(const Surface& surface, const Volume* volume, const Dou
       rays->dx[i] = d[0], rays->dy[i] = d[1], rays->dz[i] = d[2];
       rays->t_min[i] = 0, rays->t_max[i] = profile.t1;
       hits->t[i] = hits->t_lo[i] = hits->t_hi[i] = t;
-      hits->object[i] = 0;
+      hits->object[i] = static_cast<std::uint16_t>(object.place);
       dressed->value[i] = std::nan("");
       if (volume) set_cell(*volume, grid_from_world, o + t * d, *hits, i);
     }
@@ -86,29 +89,31 @@ RayProfile profile_along(const Surface& surface, const Volume* volume, const Dou
   return profile;
 }
 
-PixelProbe probe_pixel(const JobScene& scene, int x, int y) {
+PixelProbe probe_pixel(const JobScene& scene, int x, int y, std::size_t otherwise) {
   SceneKeeper& keeper = scene.keeper;
-  const BuiltObject& object = keeper.built().objects.front();
-  const Surface& surface = *keeper.built().scene.objects.front().surface;
-  std::vector<ProbeMethod> methods;
-  for (const Method& method : applicable_methods(keeper.description().objects.front()))
-    methods.push_back({std::string(method.name), {}});
+  const std::size_t number = object_at(keeper.built(), scene.view, x, y).value_or(otherwise);
+  const BuiltObject& object = keeper.built().objects[number];
   PixelProbe result;
   result.x = x, result.y = y;
-  result.iso = object.iso;
-  result.unit = object.volume ? "voxels" : "domain widths";
-  if (keeper.built().objects.size() > 1 || !object.change_method) {
-    result.error = "A scene of several objects is not probed.";
+  if (keeper.built().objects.size() > 1)
+    result.object = object.name.empty() ? fmt::format("number {}", number + 1) : object.name;
+  if (!keeper.has_methods(number)) {
+    result.error = "Only volumes and formulas are probed.";
     return result;
   }
-  const MethodRestorer restorer(keeper);
+  result.iso = object.iso;
+  result.unit = object.volume ? "voxels" : "domain widths";
+  const LoneObject lone = keeper.alone(number);
+  std::vector<ProbeMethod> methods;
+  for (const Method& method : applicable_methods(lone.description.objects.front()))
+    methods.push_back({std::string(method.name), {}});
+  const MethodRestorer restorer(keeper, number);
   try {
-    result.probe = probe_ray(keeper.description(), keeper.built(), scene.view, x, y, methods,
-                             evaluation_of(keeper.words()).isa);
+    result.probe =
+        probe_ray(lone.description, lone.built, scene.view, x, y, methods, evaluation_of(keeper.words()).isa);
   } catch (const InputError& problem) { result.error = problem.what(); }
   constexpr int kSteps = 1023;
-  result.profile =
-      profile_along(surface, object.volume.get(), result.probe.origin, result.probe.direction, kSteps);
+  result.profile = profile_along(object, pixel_ray(scene.view, x, y), kSteps);
   return result;
 }
 

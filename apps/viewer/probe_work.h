@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/apps/viewer/idle_work.h>
+#include <isocast/apps/viewer/pixel_ray.h>
 
 #include <span>
 
@@ -16,21 +17,21 @@ struct RayProfile {
   std::vector<double> borders;
 };
 
-/// x, y: the pixel. profile is empty where the ray passes beside the domain. unit: its name.
+/// x, y: the pixel. object: its name; empty where there is only one. profile is empty where the ray passes
+/// beside the domain. unit: its name.
 struct PixelProbe {
   int x = 0, y = 0;
   Probe probe;
   RayProfile profile;
   std::vector<double> iso;
-  std::string unit, error;
+  std::string object, unit, error;
 };
 
-/// Every applicable method in float and double, as `isocast probe` has it; the scene is left as it was.
-/// Throws Interrupted.
-[[nodiscard]] PixelProbe probe_pixel(const JobScene& scene, int x, int y);
+/// Every applicable method in float and double, as `isocast probe` has it, of the object that is hit there,
+/// or of `otherwise` where there is none; the scene is left as it was. Throws Interrupted.
+[[nodiscard]] PixelProbe probe_pixel(const JobScene& scene, int x, int y, std::size_t otherwise = 0);
 
-/// The part of the ray o + t d inside the surface's bounds, at `steps` + 1 points. volume: null for formulas.
-[[nodiscard]] RayProfile profile_along(const Surface& surface, const Volume* volume, const Double3& o,
-                                       const Double3& d, int steps);
+/// The part of a ray of the world inside the bounds of a volume or a formula, at `steps` + 1 points.
+[[nodiscard]] RayProfile profile_along(const BuiltObject& object, const PixelRay& ray, int steps);
 
 }  // namespace isocast::viewer

@@ -146,18 +146,18 @@ bool RenderLoop::make_picture(const Wish& wish, const View& view, const RenderSe
   const Clock::time_point start = Clock::now();
   const auto film = std::make_shared<Film>(view.width(), view.height(), layers_of(wish.overlay));
   Progress progress("rendering", tile_count(view));
-  const Mailbox::Work work(mailbox_, wish.revision, stays_ms, &progress);
+  Mailbox::Work work(mailbox_, wish.revision, stays_ms, &progress);
   Picture picture;
   try {
     const Scene& scene = stage == Stage::preview ? keeper_.preview_scene() : keeper_.built().scene;
     picture.counts = render(scene, view, settings, *film, work.stop(), &progress);
   } catch (const Interrupted&) {
-    const RunningWork& running = work.running();
+    const StopMoment& stopped = work.stopped();
     ++counts_.cancelled;
     counts_.tiles_rendered += progress.done();
     counts_.tiles_cancelled += tile_count(view) - progress.done();
-    counts_.tiles_after_end = std::max(counts_.tiles_after_end.load(), progress.done() - running.tiles);
-    raise_to(counts_.longest_end_ms, ms_since(running.stopped));
+    counts_.tiles_after_end = std::max(counts_.tiles_after_end.load(), progress.done() - stopped.tiles);
+    raise_to(counts_.longest_end_ms, ms_since(stopped.time));
     if (stage == Stage::preview || divisor == 1) budget_.note_ended(divisor, ms_since(start));
     throw;
   }

@@ -28,6 +28,8 @@ class RenderLoop {
   std::uint64_t ask(Wish wish);
   /// To be called once a frame.
   void nudge() { mailbox_.nudge(); }
+  /// Work on an older wish goes on, which nudge() may end.
+  [[nodiscard]] bool is_behind() const { return mailbox_.is_behind(); }
   /// Ends loading and whatever else is going on.
   void cancel() { mailbox_.end_now(); }
   /// Something to do with the scene and its complete picture, as soon as there are no newer wishes.

@@ -199,14 +199,18 @@ SessionObject read_object(const SceneJson& object) {
           {}};
 }
 
-void write_object(const SessionObject& from, const std::vector<std::string>& clips, SceneJson& object) {
+void write_object(const SessionObject& from, SceneJson& object) {
   if (from.method != object.value("method", "auto")) object["method"] = from.method;
   if (from.set != settings_of(object)) object["set"] = settings_json(from.set);
   if (from.visible != object.value("visible", true)) object["visible"] = from.visible;
   write_colors(from.color_by, object);
   if (from.surfaces != from.adopted) write_surfaces(from, object);
-  if (object["type"] == "instance") return;  // what they are copies of is cut
-  for (const std::string& formula : clips) object["clip"].push_back({{"formula", formula}});
+}
+
+void stop_animated_iso(const std::string& name, SceneJson& document) {
+  if (!document.contains("animation")) return;
+  for (SceneJson& key : document["animation"]["keys"])
+    if (key.contains("iso")) key["iso"].erase(name);
 }
 
 std::string text_of(const SceneJson& document, bool for_people) {
@@ -215,12 +219,12 @@ std::string text_of(const SceneJson& document, bool for_people) {
 
 std::string built_part(const std::string& scene_text) {
   SceneJson document = parse_scene_json(scene_text, "the scene");
+  document.erase("clip"), document.erase("animation");
   std::set<std::string> copied;
   for (const SceneJson& object : document["objects"])
     if (object["type"] == "instance") copied.insert(object["of"].get<std::string>());
   for (SceneJson& object : document["objects"]) {
     if (object["type"] == "instance" || copied.contains(object.value("name", ""))) continue;
-    object.erase("clip");
     if (!read_object(object).has_iso()) continue;
     if (object["type"] == "volume") object.erase("method"), object.erase("set");
     object.erase("material");

@@ -20,14 +20,17 @@ void clear_object_words(RenderWords& words);
 /// What can be edited of an object, without its surfaces.
 [[nodiscard]] SessionObject read_object(const SceneJson& object);
 
-/// Writes what of it differs from the object, and clip formulas more.
-void write_object(const SessionObject& from, const std::vector<std::string>& clips, SceneJson& object);
+/// Writes what of it differs from the object.
+void write_object(const SessionObject& from, SceneJson& object);
+
+/// Iso-values of the object of that name stay as they are from now on.
+void stop_animated_iso(const std::string& name, SceneJson& document);
 
 /// On one line, or over several for people.
 [[nodiscard]] std::string text_of(const SceneJson& document, bool for_people = false);
 
-/// The text without what changes in a scene that is built: iso-values, looks and clip solids, and of volumes
-/// the method.
+/// The text without what changes in a scene that is built: iso-values, looks and the scene's clip solids, and
+/// of volumes the method; and without its animation.
 [[nodiscard]] std::string built_part(const std::string& scene_text);
 
 }  // namespace isocast::viewer

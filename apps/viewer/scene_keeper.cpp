@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <isocast/apps/isocast/parse_values.h>
+#include <isocast/apps/scene_build/animation.h>
 #include <isocast/apps/scene_build/applicable_methods.h>
 #include <isocast/apps/scene_build/formula_input.h>
+#include <isocast/apps/scene_build/no_surface.h>
 #include <isocast/apps/scene_build/scene_file.h>
 #include <isocast/apps/viewer/scene_document.h>
 #include <isocast/apps/viewer/scene_keeper.h>
@@ -55,11 +57,14 @@ std::vector<std::string> source_of(const RenderWords& words) {
 
 void SceneKeeper::show(const RenderWords& words) {
   const std::vector<std::string> source = source_of(words);
-  if (source == failed_) throw InputError(failure_);
+  std::vector<std::string> tried = source;
+  tried.push_back(words.frames);
+  if (tried == failed_) throw InputError(failure_);
   try {
     SceneDescription description = describe(words);
     if (!words.iso.empty()) description.objects.front().iso = parse_numbers(words.iso, "--iso");
-    if (built_ && source == source_) change(words, description);
+    const bool stays = words.frames == words_.frames || !rebuilt_by_frames(describe_all(words));
+    if (built_ && source == source_ && stays) change(words, description);
     else build(words, description);
     description_ = std::move(description);
     words_ = words;
@@ -67,7 +72,7 @@ void SceneKeeper::show(const RenderWords& words) {
     prepare_previews();
     failed_.clear();
   } catch (const Interrupted&) {
-    failed_ = source;
+    failed_ = std::move(tried);
     failure_ = "loading was cancelled";
     throw;
   }
@@ -84,8 +89,11 @@ void SceneKeeper::build(const RenderWords& words, const SceneDescription& descri
 
 void SceneKeeper::change(const RenderWords& words, const SceneDescription& description) {
   const bool evaluated_otherwise = words.precision != words_.precision || words.isa != words_.isa;
-  for (std::size_t k = 0; k < description.objects.size(); ++k)
+  for (std::size_t k = 0; k < description.objects.size(); ++k) {
     change(k, description.objects[k], evaluated_otherwise, evaluation_of(words));
+    const std::vector<SolidDescription> clips = description.clips_of(k);
+    if (!clips.empty() || !description_.clips_of(k).empty()) built_->set_clips(k, clips);
+  }
   built_->scene.lights = description.lights;
   built_->scene.shadows = description.shadows;
   built_->scene.ambient_occlusion = description.ambient_occlusion;
@@ -109,8 +117,6 @@ void SceneKeeper::change(std::size_t k, const ObjectDescription& wanted, bool ev
     built_->set_iso(k, wanted.iso.empty() ? default_iso(wanted) : wanted.iso, wanted.materials);
     if (wanted.iso != before.iso) moved_.insert(k);
   }
-  if (!built.unclipped.empty() && (!wanted.clips.empty() || !before.clips.empty()))
-    built_->set_clips(k, wanted.clips);
 }
 
 bool SceneKeeper::choose_methods() {
@@ -136,7 +142,7 @@ void SceneKeeper::prepare_previews() {
   preview_ = built_->scene;
   const ObjectDescription& object = description_.objects.front();
   const BuiltObject& built = built_->objects.front();
-  if (built_->scene.objects.size() > 1 || !built.volume || !object.clips.empty()) return;
+  if (built_->scene.objects.size() > 1 || !built.volume || !description_.clips_of(0).empty()) return;
   const EvaluationSettings evaluation = evaluation_of(words_);
   VolumeSurfaceOptions options;
   options.iso = built.iso;
@@ -151,10 +157,28 @@ void SceneKeeper::prepare_previews() {
 }
 
 MethodRestorer::~MethodRestorer() {
-  const BuiltObject& object = keeper_.built().objects.front();
-  if (object.change_method)
-    object.change_method(object.method, keeper_.description().objects.front().settings,
-                         evaluation_of(keeper_.words()));
+  const BuiltObject& object = keeper_.built().objects[object_];
+  object.change_method(object.method, keeper_.description().objects[object_].settings,
+                       evaluation_of(keeper_.words()));
+}
+
+bool SceneKeeper::has_methods(std::size_t object) const {
+  return built_ && object < built_->objects.size() && description_.objects[object].visible &&
+         built_->objects[object].change_method;
+}
+
+LoneObject SceneKeeper::alone(std::size_t object) const {
+  LoneObject lone{description_, *built_};
+  ObjectDescription& described = lone.description.objects[object];
+  described.clips.clear();
+  described.color_by.reset();
+  const BuiltObject& built = built_->objects[object];
+  for (SceneObject& other : lone.built.scene.objects) other.surface = std::make_shared<NoSurface>();
+  for (std::size_t part = 0; part < built.count; ++part)
+    lone.built.scene.objects[built.place + part].surface = built.unclipped[part];
+  lone.description.objects = {std::move(described)};
+  lone.built.objects = {built};
+  return lone;
 }
 
 SceneNews SceneKeeper::news() const {

@@ -8,6 +8,13 @@
 
 namespace isocast::viewer {
 
+/// An object as if it were the only one, and without its clip solids and colours, of which references know
+/// nothing.
+struct LoneObject {
+  SceneDescription description;
+  BuiltScene built;
+};
+
 /// Of the render thread.
 class SceneKeeper {
  public:
@@ -24,6 +31,10 @@ class SceneKeeper {
   [[nodiscard]] const Scene& preview_scene() const { return preview_; }
   [[nodiscard]] const SceneDescription& description() const { return description_; }
   [[nodiscard]] const RenderWords& words() const { return words_; }
+  /// Whether other methods can be tried at an object: a volume or a formula that is there.
+  [[nodiscard]] bool has_methods(std::size_t object) const;
+  /// Its surfaces are the scene's: a method that is tried at it is changed in both.
+  [[nodiscard]] LoneObject alone(std::size_t object) const;
   /// How many scenes there have been.
   [[nodiscard]] int scene() const { return scene_; }
   /// Chooses methods anew where surfaces were moved, so that the scene is as if it were built now; returns
@@ -48,22 +59,23 @@ class SceneKeeper {
   std::shared_ptr<VolumeSurface> walker_;  // of previews; null where they have the scene's own surfaces
   SceneDescription description_;
   RenderWords words_;
-  std::vector<std::string> source_, failed_;
+  std::vector<std::string> source_, failed_;  // failed_: with the frame
   std::string failure_;
   int scene_ = 0;
   std::set<std::size_t> moved_;  // objects whose methods were not chosen since
 };
 
-/// Puts the first object's method back when it goes: others may be tried meanwhile.
+/// Puts an object's method back when it goes: others may be tried meanwhile.
 class MethodRestorer {
  public:
-  explicit MethodRestorer(SceneKeeper& keeper) : keeper_(keeper) {}
+  MethodRestorer(SceneKeeper& keeper, std::size_t object) : keeper_(keeper), object_(object) {}
   ~MethodRestorer();
   MethodRestorer(const MethodRestorer&) = delete;
   MethodRestorer& operator=(const MethodRestorer&) = delete;
 
  private:
   SceneKeeper& keeper_;
+  std::size_t object_;
 };
 
 /// Everything of the words that makes it another scene, which must be loaded or built.

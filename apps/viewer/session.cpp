@@ -88,6 +88,11 @@ Session start_session(const RenderWords& words) {
   return session;
 }
 
+std::optional<std::array<int, 2>> Session::frames() const {
+  if (!document || !document->contains("animation")) return std::nullopt;
+  return (*document)["animation"]["frames"].get<std::array<int, 2>>();
+}
+
 void adopt_surfaces(SessionObject& object, const std::vector<double>& values,
                     const std::vector<Material>& materials) {
   object.surfaces.clear();
@@ -104,6 +109,7 @@ RenderWords words_of(const Session& session, int width, int height, const std::v
   RenderWords words = session.words;
   words.size = fmt::format("{}x{}", width, height);
   if (session.camera) put_camera(*session.camera, words);
+  if (session.frame) words.frames = fmt::format("{0}:{0}", *session.frame);
   const SessionObject& first = session.objects.front();
   if (!session.document && first.color_by.of.empty()) {
     words.method = first.method, words.set = first.set;
@@ -112,8 +118,12 @@ RenderWords words_of(const Session& session, int width, int height, const std::v
     return words;
   }
   SceneJson document = session.document ? *session.document : document_of(session.words);
-  for (std::size_t k = 0; k < session.objects.size(); ++k)
-    write_object(session.objects[k], clips, document["objects"][k]);
+  for (std::size_t k = 0; k < session.objects.size(); ++k) {
+    const SessionObject& object = session.objects[k];
+    write_object(object, document["objects"][k]);
+    if (object.surfaces != object.adopted) stop_animated_iso(object.name, document);
+  }
+  for (const std::string& formula : clips) document["clip"].push_back({{"formula", formula}});
   words.scene_text = text_of(document);
   clear_object_words(words);
   if (!session.document) words.input = "scene.json";

@@ -15,16 +15,20 @@ namespace isocast::viewer {
 /// document  the scene of a scene file; without one the input is the only object
 /// objects   as the user wants them; at least one
 /// current   the object that the panels show
+/// frame     of an animation; none: its first
 /// camera    none: the one of `words`, which frames the scene where they leave it open
 struct Session {
   RenderWords words;
   std::optional<SceneJson> document;
   std::vector<SessionObject> objects = std::vector<SessionObject>(1);
   std::size_t current = 0;
+  std::optional<int> frame;
   std::optional<Camera> camera;
 
   [[nodiscard]] SessionObject& object() { return objects[current]; }
   [[nodiscard]] const SessionObject& object() const { return objects[current]; }
+  /// The first and the last frame of the scene's animation, if it has one.
+  [[nodiscard]] std::optional<std::array<int, 2>> frames() const;
 };
 
 /// The session that a command line starts. Throws InputError for scene files, iso-values, colours and shares

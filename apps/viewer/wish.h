@@ -25,6 +25,7 @@ enum class Overlay : std::uint8_t { none, certificate, cost, error, difference }
 ///
 /// words      as for `isocast render`, with its size and camera
 /// hold_full  never a preview; budget_ms: what a preview may take
+/// object     the one that errors, a second picture and points are of
 /// other      method of the second picture of Overlay::difference
 /// points     error and time of every method in this view are wanted, when the picture is complete
 struct Wish {
@@ -33,6 +34,7 @@ struct Wish {
   bool hold_full = false;
   double budget_ms = 33;
   Overlay overlay = Overlay::none;
+  std::size_t object = 0;
   std::string other;
   bool points = false;
   Clock::time_point made = Clock::now();

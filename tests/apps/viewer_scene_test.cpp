@@ -1,26 +1,19 @@
 // Scenes that the viewer edits: what it shows, what it builds again, and the file that it writes.
 #include <input_error.h>
 #include <isocast/apps/viewer/command_line.h>
-#include <isocast/apps/viewer/scene_keeper.h>
-#include <isocast/apps/viewer/session.h>
 #include <temporary_folder.h>
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "../scene_build/made_scene.h"
+#include "edited_scene.h"
 
 using namespace isocast;
 using namespace isocast::viewer;
-using test::says;
+using namespace test;
 
 namespace {
 
-constexpr int kSize = 40;
-
-void write_ball(const std::filesystem::path& file) {
-  test::write_nrrd(file, 16, -1, 1, [](double x, double y, double z) { return x * x + y * y + z * z; });
-}
 // A volume, a formula and a mesh of one triangle in a folder, and a scene of them.
 std::string write_scene_of_three(const std::filesystem::path& folder) {
   write_ball(folder / "ball.nrrd");
@@ -31,38 +24,6 @@ std::string write_scene_of_three(const std::filesystem::path& folder) {
     {"name": "rod", "type": "formula", "expr": "x^2+y^2-r", "params": {"r": 0.01}, "material": {"specular": 0.4}},
     {"name": "sheet", "type": "mesh", "file": "one.obj"}]})";
   return folder / "three.json";
-}
-
-Session session_of(const std::string& input) {
-  RenderWords words;
-  words.input = input;
-  return start_session(words);
-}
-RenderWords shown(const Session& session, const std::vector<std::string>& clips = {}) {
-  return words_of(session, kSize, kSize, clips);
-}
-Film film_of(const Scene& scene, const RenderWords& words) {
-  const View view(frame(Box{{-1, -1, -2}, {1, 1, 1}}, {}, 1), kSize, kSize);
-  Film film(kSize, kSize, {});
-  render(scene, view, settings_of(words, {}), film);
-  return film;
-}
-// What `isocast render` makes of the words.
-std::vector<float> rendered(const RenderWords& words) {
-  SceneDescription description = describe(words);
-  if (!words.iso.empty()) description.objects.front().iso = {std::stod(words.iso)};
-  return film_of(build_scene(description, evaluation_of(words)).scene, words).color();
-}
-// What the viewer shows.
-std::vector<float> kept(SceneKeeper& keeper, const RenderWords& words) {
-  keeper.show(words);
-  keeper.choose_methods();
-  return film_of(keeper.built().scene, words).color();
-}
-void adopt(Session& session, const SceneKeeper& keeper) {
-  const SceneNews news = keeper.news();
-  for (std::size_t k = 0; k < session.objects.size(); ++k)
-    adopt_surfaces(session.objects[k], news.objects[k].iso, news.objects[k].materials);
 }
 
 }  // namespace

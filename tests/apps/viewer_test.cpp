@@ -171,8 +171,17 @@ TEST_CASE("parameters of words and of the catalogue") {
   const auto numbers = parameters_of(words);
   CHECK(numbers.back().name == "b");
   CHECK(numbers.back().value == 3);
-  CHECK(uses_time(words_for("x+sin(w)")));
-  CHECK_FALSE(uses_time(words_for("x+wave*0.5")));
+  CHECK(uses_time(start_session(words_for("x+sin(w)"))));
+  CHECK_FALSE(uses_time(start_session(words_for("x+wave*0.5"))));
+  Session scene;
+  const auto with = [&](const char* object) {
+    scene.document = SceneJson::parse(std::string(R"({"objects": [{"name": "w", "type": "csg", "of": [)") +
+                                      object + "]}]}");
+    return uses_time(scene);
+  };
+  CHECK(with(R"({"expr": "x+w"})"));
+  CHECK(with(R"({"expr": "x", "clip": [{"formula": "w-x"}]})"));
+  CHECK_FALSE(with(R"({"expr": "wave"}, {"file": "w"})"));
 }
 
 TEST_CASE("iso-values by the share that they enclose") {

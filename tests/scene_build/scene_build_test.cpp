@@ -117,6 +117,47 @@ TEST_CASE("instances are copies of an object as it stands, with materials of the
       InputError, says("before them"));
 }
 
+TEST_CASE("clip solids of a scene cut objects and their copies where they stand") {
+  const auto scene_with = [](const std::string& clip, const std::string& copies) {
+    const std::string text = R"({"isocast": 1)" + clip + R"(, "objects": [)" + ball(R"(, "name": "a")") +
+                             R"(, {"type": "instance", "of": "a", "transforms": [{"translate": [5, 0, 0]}])" +
+                             copies + "}]}";
+    return build_scene(scene_from_text(text, "test", {}), {});
+  };
+  const auto first_t = [](const BuiltScene& scene, double x) {
+    return first_hit(scene.scene, {x, 0, 4}, {0, 0, -1}).t;
+  };
+  const std::string below = R"([{"plane": [0, 0, 1, 0]}])", right = R"([{"plane": [-1, 0, 0, 5]}])";
+  const BuiltScene whole = scene_with("", ""), cut = scene_with(R"(, "clip": )" + below, ""),
+                   copies = scene_with("", R"(, "clip": )" + right),
+                   both = scene_with(R"(, "clip": )" + below, R"(, "clip": )" + right);
+  for (const double x : {0.0, 5.1}) {
+    CHECK(first_t(whole, x) == Approx(3).margin(0.02));
+    CHECK(first_t(cut, x) == Approx(5).margin(0.02));
+  }
+  CHECK(first_t(copies, 0) == Approx(3));
+  CHECK(first_t(copies, 4.9) == Box::inf);
+  CHECK(first_t(copies, 5.1) == Approx(3).margin(0.02));
+  CHECK(first_t(both, 4.9) == Box::inf);
+  CHECK(first_t(both, 5.1) == Approx(5).margin(0.02));
+  const auto has = [](const std::vector<std::string>& words) {
+    return std::ranges::find(words, "clip solids") != words.end();
+  };
+  CHECK(has(cut.features));
+  CHECK_FALSE(has(cut.left_out));
+  CHECK(has(whole.left_out));
+  // what only its copies show stays hidden
+  const std::string hidden =
+      R"({"isocast": 1, "clip": )" + below + R"(, "objects": [)" +
+      ball(R"(, "name": "a", "visible": false)") +
+      R"(, {"type": "instance", "of": "a", "transforms": [{"translate": [5, 0, 0]}]}]})";
+  const BuiltScene one = build_scene(scene_from_text(hidden, "test", {}), {});
+  CHECK(first_t(one, 0) == Box::inf);
+  CHECK(first_t(one, 5) == Approx(5));
+  CHECK_THROWS_MATCHES(scene_with(R"(, "clip": [{"plane": [0, 0, 1, 0]}, {}])", ""), InputError,
+                       says("clip[1]: found 0 of plane, box and formula"));
+}
+
 TEST_CASE("a hundred iso-values of one volume") {
   const test::TemporaryFolder folder;
   test::write_nrrd(folder / "ramp.nrrd", 17, 0, 1, [](double x, double, double) { return x; });

@@ -15,11 +15,12 @@ namespace {
 struct Shape {
   const char *name, *words;
 };
-constexpr Shape kShapes[] = {{"wait", ""},       {"iso", "n"},        {"orbit", "nn"},  {"pan", "nn"},
-                             {"zoom", "n"},      {"method", "t"},     {"formula", "t"}, {"time", "n"},
-                             {"param", "tn"},    {"click", "nn"},     {"overlay", "t"}, {"object", "t"},
-                             {"press", "t"},     {"type", "tt"},      {"key", "t"},     {"drop", "t"},
-                             {"clipboard", "t"}, {"screenshot", "t"}, {"save", "t"},    {"quit", ""}};
+constexpr Shape kShapes[] = {{"wait", ""},    {"iso", "n"},       {"orbit", "nn"},     {"pan", "nn"},
+                             {"zoom", "n"},   {"method", "t"},    {"formula", "t"},    {"time", "n"},
+                             {"frame", "n"},  {"param", "tn"},    {"click", "nn"},     {"overlay", "t"},
+                             {"object", "t"}, {"press", "t"},     {"type", "tt"},      {"key", "t"},
+                             {"drop", "t"},   {"clipboard", "t"}, {"screenshot", "t"}, {"save", "t"},
+                             {"quit", ""}};
 
 std::string expected(const Shape& shape) {
   std::string text = shape.name;

@@ -14,7 +14,7 @@ namespace {
 // The section of the panel that holds a widget.
 std::string section_of(const std::string& name) {
   const std::string prefix = name.substr(0, name.find('.'));
-  const bool input = prefix == "formula" || prefix == "param" || prefix == "time";
+  const bool input = prefix == "formula" || prefix == "param" || prefix == "time" || prefix == "frame";
   return "section." + (input ? "input" : prefix);
 }
 
@@ -82,6 +82,7 @@ void ScriptRun::run(const ScriptCommand& command) {
   else if (name == "formula")
     enter(app_.landmarks.find("input.path") ? "input.path" : "formula.text", words[0]);
   else if (name == "time") enter("time.value", words[0]);
+  else if (name == "frame") enter("frame.value", words[0]);
   else if (name == "param") enter("param." + words[0], words[1]);
   else if (name == "click") {
     const Landmark place = reveal("canvas.picture");
@@ -216,8 +217,10 @@ void ScriptRun::settle() {
 void ScriptRun::wait_until(const char* what, const std::function<bool()>& done) {
   const Clock::time_point start = Clock::now();
   constexpr double kLongest = 120e3;
-  for (settle(); !done(); settle())
+  for (settle(); !done(); std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+    if (ended_) throw Interrupted();
     if (ms_since(start) > kLongest) throw InputError(fmt::format("waited two minutes for {}", what));
+  }
 }
 
 }  // namespace isocast::viewer

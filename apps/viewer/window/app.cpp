@@ -101,20 +101,28 @@ void App::save(const std::string& file) {
 
 void App::probe(int x, int y) {
   probe_open = true;
-  loop.post([this, x, y](const JobScene& scene) {
-    new_probe = std::make_shared<const PixelProbe>(probe_pixel(scene, x, y));
+  loop.post([this, x, y, chosen = session.current](const JobScene& scene) {
+    new_probe = std::make_shared<const PixelProbe>(probe_pixel(scene, x, y, chosen));
   });
+}
+
+// Iso-values that the scene has by itself, and which may change from frame to frame.
+void App::adopt_news() {
+  if (!news->error.empty() || news->objects.size() != session.objects.size()) return;
+  const bool newest = news->revision == asked_revision_;
+  for (std::size_t k = 0; k < session.objects.size(); ++k) {
+    SessionObject& object = session.objects[k];
+    const bool animated = session.frame && newest && object.surfaces == object.adopted;
+    if (object.surfaces.empty() || animated)
+      adopt_surfaces(object, news->objects[k].iso, news->objects[k].materials);
+  }
 }
 
 void App::take_results() {
   loop.nudge();
   if (const auto now = loop.news(); now && now != news) {
     news = now;
-    if (news->scene != adopted_scene && news->error.empty()) { adopted_scene = news->scene; }
-    if (news->error.empty() && news->objects.size() == session.objects.size())
-      for (std::size_t k = 0; k < session.objects.size(); ++k)
-        if (session.objects[k].surfaces.empty())
-          adopt_surfaces(session.objects[k], news->objects[k].iso, news->objects[k].materials);
+    adopt_news();
   }
   if (auto now = new_probe.exchange(nullptr)) probed = now;
   if (auto now = new_message.exchange(nullptr)) message = *now;
@@ -140,19 +148,29 @@ void App::ask() {
   wish.overlay = overlay;
   wish.other = other_method;
   wish.points = points;
+  const bool of_object = points || overlay == Overlay::error || overlay == Overlay::difference;
+  wish.object = of_object ? session.current : 0;  // another choice alone asks for no other picture
   const auto same = [&](const Wish& a, const Wish& b) {
     return a.words == b.words && a.hold_full == b.hold_full && a.overlay == b.overlay && a.other == b.other &&
-           a.points == b.points;
+           a.points == b.points && a.object == b.object;
   };
   settled = same(wish, asked_);
   if (settled) return;
   asked_ = wish;
-  loop.ask(std::move(wish));
+  asked_revision_ = loop.ask(std::move(wish));
   settled = true;
 }
 
-void App::frame(double wait_seconds) {
-  window.begin_frame(wait_seconds);
+// Seconds without a frame, unless an event or a result comes: drawing takes the processors from rendering.
+double App::patience() const {
+  constexpr double kMoving = 1.0 / 120, kProgress = 1.0 / 20, kResting = 0.25;
+  if (lively_ > 0 || playing || loop.is_behind() || times.frames < 6) return kMoving;
+  return loop.loading() ? kProgress : kResting;
+}
+
+void App::frame() {
+  constexpr int kLively = 3;  // until widgets have settled
+  lively_ = window.begin_frame(patience()) ? kLively : lively_ - (lively_ > 0);
   const double start = processor_ms();
   take_results();
   draw_interface(*this);

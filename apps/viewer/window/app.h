@@ -31,8 +31,9 @@ struct FrameTimes {
 struct App {
   explicit App(const ViewRequest& request);
 
-  /// One turn of the interface: takes what is new, draws, asks for what is wanted now.
-  void frame(double wait_seconds);
+  /// One turn of the interface: waits until there is something to do, takes what is new, draws, asks for what
+  /// is wanted now.
+  void frame();
   /// The picture's size in pixels.
   [[nodiscard]] std::array<int, 2> picture_size() const;
   /// The camera in use; none before there is a scene.
@@ -61,7 +62,7 @@ struct App {
   Overlay overlay = Overlay::none;
   std::string other_method;
   bool hold_full = false, points = false, playing = false, blender_mouse = false;
-  double divider = 0.5, play_speed = 0.5;
+  double divider = 0.5;
   std::vector<ClipPlane> planes;
 
   // what came back
@@ -78,7 +79,8 @@ struct App {
   std::map<std::string, std::string> fields;  // numbers as they are typed, by landmark
   std::string editing;                        // the one that has the keyboard
   double enclosed = 50, profile_zoom = 1, iso_reach = 1;
-  int dragged_iso = -1, adopted_scene = 0;
+  double played_frames = 0;  // since the last whole one
+  int dragged_iso = -1;
   bool probe_open = false;
   std::array<int, 2> canvas = {0, 0};
   FrameTimes times;
@@ -88,9 +90,13 @@ struct App {
   RenderLoop loop;  // goes first: its work writes to what came back
 
  private:
+  [[nodiscard]] double patience() const;
   void take_results();
+  void adopt_news();
   void ask();
   Wish asked_;
+  std::uint64_t asked_revision_ = 0;
+  int lively_ = 0;  // frames that an event still has coming
 };
 
 }  // namespace isocast::viewer

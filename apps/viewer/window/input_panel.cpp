@@ -59,22 +59,6 @@ void parameter_row(App& app, const NamedNumber& parameter) {
   if (value != before) set_parameter(app.session.words, parameter.name, value);
 }
 
-void time_row(App& app) {
-  RenderWords& words = app.session.words;
-  double time = words.time.empty() ? 0 : parse_number(words.time, "--time");
-  const double before = time, lo = 0, hi = std::max(1.0, std::ceil(time));
-  if (button(app, "formula.play", app.playing ? "Stop" : "Play")) app.playing = !app.playing;
-  ImGui::SameLine();
-  ImGui::SetNextItemWidth(rest_of_width(9));
-  ImGui::SliderScalar("##time", ImGuiDataType_Double, &time, &lo, &hi, "");
-  ImGui::SameLine();
-  number_field(app, "time.value", time, 4.5f * ImGui::GetFontSize());
-  ImGui::SameLine();
-  ImGui::TextUnformatted("w");
-  if (app.playing) time = std::fmod(time + app.play_speed * ImGui::GetIO().DeltaTime, 1.0);
-  if (time != before) words.time = fmt::format("{}", time);
-}
-
 }  // namespace
 
 void input_panel(App& app) {
@@ -87,6 +71,7 @@ void input_panel(App& app) {
     else if (app.object_news().is_volume)
       wrapped(fmt::format("{} samples, {:.1f} MB", app.news->type,
                           1e-6 * static_cast<double>(app.news->volume_bytes)));
+    time_rows(app);
     return draw_error(app, nullptr);
   }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -102,7 +87,7 @@ void input_panel(App& app) {
     words.domain = app.domain.text;
   const std::vector<NamedNumber> parameters = parameters_of(words);
   for (const NamedNumber& parameter : parameters) parameter_row(app, parameter);
-  if (uses_time(words)) time_row(app);
+  time_rows(app);
 }
 
 }  // namespace isocast::viewer

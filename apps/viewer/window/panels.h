@@ -10,6 +10,8 @@ void draw_interface(App& app);
 
 void draw_canvas(App& app);
 void input_panel(App& app);
+/// Of an animation its frame, else the time of formulas that know one: to drag, type and play.
+void time_rows(App& app);
 void objects_panel(App& app);
 void iso_panel(App& app);
 void method_panel(App& app);

@@ -125,12 +125,14 @@ void draw_probe(App& app) {
   if (!app.probed) return ImGui::TextUnformatted("The ray is being solved by every method.");
   const PixelProbe& probe = *app.probed;
   const auto& truth = probe.probe.truth;
-  ImGui::TextUnformatted(fmt::format("pixel {}, {}: {} root{} of the reference{}; errors in {}", probe.x,
-                                     probe.y, truth.roots.size(), truth.roots.size() == 1 ? "" : "s",
+  const std::string where =
+      fmt::format("pixel {}, {}{}{}", probe.x, probe.y, probe.object.empty() ? "" : ", ", probe.object);
+  if (!probe.error.empty()) return wrapped(where + ": " + probe.error, true);
+  ImGui::TextUnformatted(fmt::format("{}: {} root{} of the reference{}; errors in {}", where,
+                                     truth.roots.size(), truth.roots.size() == 1 ? "" : "s",
                                      truth.decided() ? "" : ", not decided everywhere", probe.unit)
                              .c_str());
   app.landmarks.mark("probe.title");
-  if (!probe.error.empty()) return wrapped(probe.error, true);
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::BeginChild("table", {0.6f * width, 0});
   draw_table(probe);

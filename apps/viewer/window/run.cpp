@@ -41,9 +41,7 @@ void run(const ViewRequest& request) {
   };
   while (!app.window.wants_to_close()) {
     if (interrupted()) throw Interrupted();
-    // while nothing moves, a few frames a second; results and events end the wait
-    constexpr double kMoving = 1.0 / 120, kResting = 0.25;
-    app.frame(app.resting && !app.playing && app.times.frames > 5 ? kResting : kMoving);
+    app.frame();
     app.window.present();
     if (script) script->after_frame();
   }

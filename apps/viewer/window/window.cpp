@@ -64,12 +64,16 @@ Window::~Window() {
   glfwTerminate();
 }
 
-void Window::begin_frame(double wait_seconds) {
-  if (wait_seconds > 0) glfwWaitEventsTimeout(wait_seconds);
-  else glfwPollEvents();
+std::atomic<bool> Window::woken_ = false;
+
+bool Window::begin_frame(double wait_seconds) {
+  const double end = glfwGetTime() + wait_seconds;
+  glfwWaitEventsTimeout(wait_seconds);
+  const bool event = !woken_.exchange(false) && glfwGetTime() < end;
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
+  return event;
 }
 
 void Window::draw() {
@@ -84,7 +88,10 @@ void Window::draw() {
 void Window::present() { glfwSwapBuffers(window_); }
 bool Window::wants_to_close() const { return glfwWindowShouldClose(window_); }
 void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
-void Window::wake() { glfwPostEmptyEvent(); }
+void Window::wake() {
+  woken_ = true;
+  glfwPostEmptyEvent();
+}
 
 std::array<int, 2> Window::size() const {
   std::array<int, 2> size;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -26,8 +27,9 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Waits for events, at most so long, and begins a frame of the interface.
-  void begin_frame(double wait_seconds);
+  /// Waits for events, at most so long, and begins a frame of the interface. Returns whether the mouse, the
+  /// keyboard or the system had something to say.
+  bool begin_frame(double wait_seconds);
   /// Draws the frame's widgets; present() shows them.
   void draw();
   void present();
@@ -48,6 +50,7 @@ class Window {
   static void wake();
 
  private:
+  static std::atomic<bool> woken_;
   GLFWwindow* window_ = nullptr;
   double scale_ = 1;
   std::string renderer_;
