@@ -32,7 +32,7 @@ void fill_probe(const Domain& domain, RayStream& rays) {
 }
 
 // Operations a ray in the middle block of a picture of the domain.
-double picture_work(const Surface& surface, double tape_cost) {
+double picture_work(const Surface& surface, double tape_cost, double form_cost) {
   constexpr int kSide = kBlockTiles * kTileSize, kMiddle = 3;
   const View view(frame(surface.bounds(), {}, 1), 8 * kSide, 8 * kSide);
   TraceCounts counts;
@@ -42,7 +42,9 @@ double picture_work(const Surface& surface, double tape_cost) {
     const auto hits = std::make_unique_for_overwrite<BlockHits>();
     hits->reset(surface.proves());
     pass->first_hits(kMiddle, kMiddle, 0.5, 0.5, *hits, counts);
-    return kWider * tape_cost * static_cast<double>(counts.evaluations) / (kSide * kSide);
+    return (kWider * tape_cost * static_cast<double>(counts.evaluations) +
+            form_cost * static_cast<double>(counts.solves)) /
+           (kSide * kSide);
   }
   const auto rays = std::make_unique<RayStream>();
   const auto hits = std::make_unique<HitStream>();
@@ -82,16 +84,22 @@ AutomaticMethod choose_automatically(const Expression& expression, const Domain&
       "on {} rays through the domain interval takes {:.1f} evaluations a ray and affine {:.1f}, with "
       "the cost of their operations {:.0f} against {:.0f}",
       kStreamSize, evaluations[0], evaluations[1], work[0], work[1]);
-  const FormulaMethodChoice& wishes = options.method;
+  const FormulaMethodChoice wishes = options.method;
+  const auto surface_with = [&](FormulaMethod method, FormulaPass pass) {
+    options.method.method = method, options.method.pass = pass;
+    return ImplicitSurface(expression, domain, options);
+  };
+  if (wishes.nearest || wishes.options.delta > 0 || wishes.options.packets || !wishes.beams)
+    return {chosen, FormulaPass::none, reason};
+  const ImplicitSurface certified = surface_with(FormulaMethod::affine, FormulaPass::certified);
   // beams are affine: where that does not pay for rays, or rays are hard, they have been slower by far
   constexpr double kHard = 100;
-  if (chosen == FormulaMethod::interval || evaluations[1] > kHard || wishes.nearest ||
-      wishes.options.delta > 0 || wishes.options.packets || !wishes.beams)
+  if (!certified.takes_forms() && (chosen == FormulaMethod::interval || evaluations[1] > kHard))
     return {chosen, FormulaPass::none, reason};
-  options.method.method = chosen;
-  const double alone = picture_work(ImplicitSurface(expression, domain, options), tape_cost(tape, true));
-  options.method.pass = FormulaPass::certified;
-  const double together = picture_work(ImplicitSurface(expression, domain, options), tape_cost(tape, true));
+  const double of_form = form_cost(polynomial_degree(tape).degree.value_or(0));
+  const double alone = picture_work(surface_with(chosen, FormulaPass::none),
+                                    tape_cost(tape, chosen == FormulaMethod::affine), of_form);
+  const double together = picture_work(certified, tape_cost(tape, true), of_form);
   reason +=
       fmt::format("; in the middle of a picture certified takes {:.0f} operations a ray, rays alone {:.0f}",
                   together, alone);

@@ -69,28 +69,40 @@ void ImplicitSurface::set_options(const ImplicitSurfaceOptions& options) {
   use_device();
 }
 
-void ImplicitSurface::prepare_frustum() {
-  frustum_ = nullptr;
+bool ImplicitSurface::forms_suit(const PolynomialDegree& degree) const {
   const FormulaMethodChoice& method = options_.method;
-  if (!method.has_form()) return;
+  // beams are faster for quadrics; roots in float are told apart by no less
+  constexpr int kLeast = 3;
+  constexpr double kFinest = 0x1p-17;
+  return method.pass == FormulaPass::certified && degree.degree && *degree.degree >= kLeast &&
+         *degree.degree <= kMostFormDegree && method.proves() && method.options.delta == 0 && !components_ &&
+         !options_.device && (options_.double_precision || eps_ >= kFinest * bounds_.diagonal());
+}
+
+void ImplicitSurface::prepare_frustum() {
+  frustum_ = forms_ = nullptr;
+  const FormulaMethodChoice& method = options_.method;
+  if (!method.has_form() && method.pass != FormulaPass::certified) return;
   const PolynomialDegree degree = polynomial_degree(tape_);
-  if (!degree.degree)
+  if (method.has_form() && !degree.degree)
     throw InputError(fmt::format("--method {} needs a polynomial in x, y and z, and the formula is {}",
                                  name_of(method), degree.reason));
+  if (!method.has_form() && !forms_suit(degree)) return;
   FrustumOptions options;
   options.degree = *degree.degree;
   options.iso = options_.iso;
   options.time = options_.time;
   options.finder = method.finder;
-  options.precision = options_.double_precision  ? FrustumPrecision::full
-                      : options_.mixed_precision ? FrustumPrecision::mixed
-                                                 : FrustumPrecision::single;
+  if (!method.has_form()) options.finder.eps = std::min(options.finder.eps, eps_ / (16 * bounds_.diagonal()));
+  options.precision = options_.double_precision                        ? FrustumPrecision::full
+                      : options_.mixed_precision || !method.has_form() ? FrustumPrecision::mixed
+                                                                       : FrustumPrecision::single;
   options.proves = method.proves();
   options.normals = has_form_normals();
   options.isa = options_.isa;
   options.object = options_.object;
   options.device = options_.device;
-  frustum_ = std::make_shared<const FrustumTracer>(tape_, bounds_, options);
+  (method.has_form() ? frustum_ : forms_) = std::make_shared<const FrustumTracer>(tape_, bounds_, options);
 }
 
 template <class T> const FormulaSolver<T>& ImplicitSurface::solver() const {

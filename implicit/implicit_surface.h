@@ -60,6 +60,9 @@ class ImplicitSurface final : public Surface {
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] bool proves() const override { return options_.method.proves(); }
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
+  /// Whether certified takes the frustum form for its pictures, where that sees the domain large enough, and
+  /// not the tree of beams.
+  [[nodiscard]] bool takes_forms() const { return forms_ != nullptr; }
   /// Whatever the method.
   [[nodiscard]] std::unique_ptr<CoveragePass> coverage(const View& view) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
@@ -105,6 +108,7 @@ class ImplicitSurface final : public Surface {
                                                          const FormulaQuery<T>& query) const;
 
   void set_components(const RayStream& rays, HitStream& hits) const;
+  [[nodiscard]] bool forms_suit(const PolynomialDegree& degree) const;
   void prepare_frustum();
   [[nodiscard]] bool has_form_normals() const {
     return options_.method.form_normals && options_.normals != NormalKind::difference;
@@ -120,6 +124,7 @@ class ImplicitSurface final : public Surface {
   PruningPlan pruning_;
   double eps_ = 0, shadow_eps_ = 0;
   std::shared_ptr<const FrustumTracer> frustum_;  // of frustum methods
+  std::shared_ptr<const FrustumTracer> forms_;    // of certified, where it takes them
   std::shared_ptr<const FormulaDevice> device_;   // what comes next is for, with their keys
   SegmentSolverKey solver_key_ = {};
   BeamCastKey beam_key_ = {};

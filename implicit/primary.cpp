@@ -52,6 +52,8 @@ std::unique_ptr<PrimaryPass> ImplicitSurface::primary(const View& view) const {
   if (method.pass == FormulaPass::none) return nullptr;
   // components are told from rays
   if (frustum_) return components_ ? nullptr : frustum_->primary(view);
+  if (forms_)
+    if (auto pass = forms_->primary(view, {this, eps_})) return pass;
   if (options_.double_precision) return make_pass(view, double_query_, pass_inputs(), method);
   return make_pass(view, float_query_, pass_inputs(), method);
 }

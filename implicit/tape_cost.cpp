@@ -16,8 +16,8 @@ double tape_cost(const Tape& tape, bool affine) {
       case Op::abs:
       case Op::min:
       case Op::max: cost += affine ? 3 : 1; break;
-      case Op::power:
-      case Op::chebyshev: cost += affine ? 20 : 8; break;
+      case Op::power: cost += affine ? 20 : 8; break;
+      case Op::chebyshev: cost += (affine ? 20 : 8) * i.n; break;
       case Op::divide:
       case Op::sqrt: cost += affine ? 30 : 8; break;
       default: cost += affine ? 60 : 20;

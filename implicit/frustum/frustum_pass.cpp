@@ -2,6 +2,7 @@
 #include <isocast/implicit/frustum/depth_range.h>
 #include <isocast/implicit/frustum/frustum_pass.h>
 #include <isocast/implicit/frustum/rounding_bound.h>
+#include <isocast/implicit/open_rays.h>
 #include <isocast/implicit/register_memory.h>
 #include <isocast/render/camera.h>
 
@@ -66,25 +67,37 @@ Box box_of(const FrustumQuery& query) {
   return box;
 }
 
-// Roots of tiles become hits.
+// Roots of tiles become hits; rays that are doubtful are gathered, where somebody solves them.
 struct Receiver {
+  const View& view;
   const PixelLines& lines;
   const FrustumOptions& options;
+  int bx, by;            // the block
+  int first_x, first_y;  // tile of it that the form begins with
+  double offset_u, offset_v;
+  double longest;
+  OpenRays* open;
   BlockHits& hits;
-  double u0, v0, offset_u, offset_v;
-  int first_x, first_y;
+  TraceCounts& counts;
 
   void take(int x, int y, const TileRoots& roots) const {
     HitStream& tile = hits.tile(first_x + x, first_y + y);
+    const int tx = bx * kBlockTiles + first_x + x, ty = by * kBlockTiles + first_y + y;
+    const int left = tx * kTileSize, top = ty * kTileSize;
+    if (open) open->begin(view, tx, ty, offset_u, offset_v, tile);
     for (int i = 0; i < kStreamSize; ++i) {
+      const int p = i / 16, l = i % 16, px = left + p % 4 * 4 + l % 4, py = top + p / 4 * 4 + l / 4;
+      if (px >= view.width() || py >= view.height()) continue;
       tile.cost[i] += static_cast<std::uint32_t>(roots.steps[i]);
+      if (open && !roots.proved[i]) {
+        open->add(i, 0, counts);
+        continue;
+      }
       if (!roots.hit[i]) {
         if (!roots.proved[i] && options.proves) tile.certificate[i] = Certificate::undecided;
         continue;
       }
-      const int p = i / 16, l = i % 16;
-      const double u = u0 + 16 * x + p % 4 * 4 + l % 4 + offset_u,
-                   v = v0 + 16 * y + p / 4 * 4 + l / 4 + offset_v;
+      const double u = px + offset_u, v = py + offset_v;
       double squared = 0;
       for (int a = 0; a < 3; ++a) {
         const double d = lines.d[a] + u * lines.d_u[a] + v * lines.d_v[a];
@@ -92,6 +105,10 @@ struct Receiver {
       }
       const double length = std::sqrt(squared), t = roots.s[i] * length;
       if (!(t < tile.t[i])) continue;
+      if (open && (roots.hi[i] - roots.lo[i]) * length > longest) {
+        open->add(i, 0, counts);
+        continue;
+      }
       const double slack = 0x1p-50 * t;
       tile.t[i] = t;
       tile.t_lo[i] = std::max(0.0, roots.lo[i] * length - slack);
@@ -117,10 +134,13 @@ int FrustumPass::tiles_of_form(const PixelLines& lines, const Box& domain, int d
   return tiles;
 }
 
-FrustumPass::FrustumPass(const Tape& tape, const Box& domain, const FrustumOptions& options, const View& view)
+FrustumPass::FrustumPass(const Tape& tape, const Box& domain, const FrustumOptions& options, const View& view,
+                         const DoubtfulRays& doubtful)
     : tape_(tape),
       domain_(domain),
       options_(options),
+      view_(view),
+      doubtful_(doubtful),
       lines_(view.lines()),
       tiles_(tiles_of_form(lines_, domain, options.degree)),
       across_(degree_across(options.degree), options.degree),
@@ -161,6 +181,7 @@ void FrustumPass::first_hits(int bx, int by, double offset_u, double offset_v, B
   FrustumQuery query = make_query(offset_u, offset_v);
   const FrustumKernels& kernels = frustum_kernels(options_.isa);
   FrustumCounts work;
+  OpenRays* const open = doubtful_.surface ? &OpenRays::of_thread(*doubtful_.surface) : nullptr;
   for (int y = 0; y < kBlockTiles; y += tiles_)
     for (int x = 0; x < kBlockTiles; x += tiles_) {
       if (hits.unwanted()) return;
@@ -172,13 +193,15 @@ void FrustumPass::first_hits(int bx, int by, double offset_u, double offset_v, B
       query.s0 = depths->near, query.s1 = depths->far;
       if (options_.proves)
         query.rounding = rounding_bound(tape_, box_of(query), options_.time, position_slack_);
-      Receiver receiver{lines_, options_, hits, query.u0, query.v0, offset_u, offset_v, x, y};
+      Receiver receiver{view_,    lines_,   options_,          bx,   by,   x,     y,
+                        offset_u, offset_v, doubtful_.longest, open, hits, counts};
       kernels.solve_block[static_cast<int>(options_.precision)](
           query, scratch_of(frustum_scratch(query)), registers_of(tape_.registers * kernels.register_bytes),
           work, &receiver, [](void* context, int tx, int ty, const TileRoots& roots) {
             static_cast<const Receiver*>(context)->take(tx, ty, roots);
           });
     }
+  if (open) open->solve(counts);
   counts.evaluations += work.evaluations;
   counts.solves += work.solves;
 }

@@ -12,8 +12,9 @@ class FrustumPass final : public PrimaryPass {
   /// for itself.
   [[nodiscard]] static int tiles_of_form(const PixelLines& lines, const Box& domain, int degree);
 
-  /// tape  must outlive the pass; tiles_of_form is not 0
-  FrustumPass(const Tape& tape, const Box& domain, const FrustumOptions& options, const View& view);
+  /// tape, view  must outlive the pass; tiles_of_form is not 0
+  FrustumPass(const Tape& tape, const Box& domain, const FrustumOptions& options, const View& view,
+              const DoubtfulRays& doubtful = {});
 
   void first_hits(int bx, int by, double offset_u, double offset_v, BlockHits& hits,
                   TraceCounts& counts) const override;
@@ -24,6 +25,8 @@ class FrustumPass final : public PrimaryPass {
   const Tape& tape_;
   Box domain_;
   FrustumOptions options_;
+  const View& view_;
+  DoubtfulRays doubtful_;
   PixelLines lines_;
   int tiles_;                      // on a side, with a form of their own
   double position_slack_, slack_;  // what roundings of a ray's points are, and do to f

@@ -42,11 +42,11 @@ FrustumTracer::FrustumTracer(const Tape& tape, const Box& domain, const FrustumO
         tape_);
 }
 
-std::unique_ptr<PrimaryPass> FrustumTracer::primary(const View& view) const {
+std::unique_ptr<PrimaryPass> FrustumTracer::primary(const View& view, const DoubtfulRays& doubtful) const {
   if (solver_ || options_.degree > kMostFormDegree ||
       FrustumPass::tiles_of_form(view.lines(), domain_, options_.degree) == 0)
     return nullptr;
-  return std::make_unique<FrustumPass>(tape_, domain_, options_, view);
+  return std::make_unique<FrustumPass>(tape_, domain_, options_, view, doubtful);
 }
 
 // A stream's rays as polynomials are made of them.

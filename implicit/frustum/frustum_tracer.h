@@ -15,6 +15,7 @@
 
 namespace isocast {
 
+class Surface;
 class View;
 
 /// degree     of f in x, y and z, at most kMostPolynomialDegree
@@ -37,6 +38,13 @@ struct FrustumOptions {
 /// The normal that a hit carries, which may point to either side; nothing where it has none.
 [[nodiscard]] std::optional<Double3> form_normal(const HitStream& hits, int slot);
 
+/// Rays of a picture of which a form proves nothing, or whose root lies in a bracket longer than `longest`:
+/// solved by the surface's first_hit instead. No surface: they stay undecided.
+struct DoubtfulRays {
+  const Surface* surface = nullptr;
+  double longest = 0;
+};
+
 /// source  Reimers, Seland: Ray casting algebraic surfaces using the frustum form, Computer Graphics Forum
 ///         27(2), 2008. That the form is made block by block, of a degree that suffices there, is divided
 ///         down to tiles and cut to the depths where it may vanish, and that its signs prove what they do, is
@@ -47,7 +55,8 @@ class FrustumTracer {
 
   /// Null with a device, above degree kMostFormDegree, and where the domain is seen too small for forms; must
   /// not outlive the tracer.
-  [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const;
+  [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view,
+                                                     const DoubtfulRays& doubtful = {}) const;
 
   /// As Surface::first_hit, or Surface::next_hit, for many streams: hits[i] belongs to rays[i]. Each ray's
   /// polynomial comes from values along it; above degree kMostFormDegree it comes in parts.
