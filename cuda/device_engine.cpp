@@ -6,7 +6,6 @@
 #include <isocast/cuda/volume_images.h>
 
 #include <mutex>
-#include <utility>
 #include <vector>
 
 namespace isocast {
@@ -68,7 +67,6 @@ class DeviceQueue final : public Queue {
   explicit DeviceQueue(const Context& context) : context_(context) {
     context_.use();
     check(driver().make_stream(&stream_, CU_STREAM_NON_BLOCKING));
-    for (CUevent& event : events_) check(driver().make_event(&event, CU_EVENT_DEFAULT));
   }
   ~DeviceQueue() override {
     try {
@@ -90,36 +88,37 @@ class DeviceQueue final : public Queue {
   }
   void launch(const Kernel& kernel, const void* body, std::size_t, std::int64_t threads) override {
     context_.use();
-    if (launched_) settle();
+    while (events_.size() < 2 * launches_ + 2) {
+      CUevent event = nullptr;
+      check(driver().make_event(&event, CU_EVENT_DEFAULT));
+      events_.push_back(event);
+    }
     const auto blocks = static_cast<unsigned>((threads + kThreads - 1) / kThreads);
     void* arguments[] = {const_cast<void*>(body)};
-    check(driver().record_event(events_[0], stream_));
+    check(driver().record_event(events_[2 * launches_], stream_));
     check(driver().launch(dynamic_cast<const Function&>(kernel).function, blocks, 1, 1, kThreads, 1, 1, 0,
                           stream_, arguments, nullptr));
-    check(driver().record_event(events_[1], stream_));
-    launched_ = true;
+    check(driver().record_event(events_[2 * launches_ + 1], stream_));
+    ++launches_;
   }
   double wait() override {
     context_.use();
-    settle();
-    return std::exchange(seconds_, 0);
+    check(driver().wait_for_stream(stream_));
+    double seconds = 0;
+    for (std::size_t i = 0; i < launches_; ++i) {
+      float milliseconds = 0;
+      check(driver().elapsed_time(&milliseconds, events_[2 * i], events_[2 * i + 1]));
+      seconds += 1e-3 * static_cast<double>(milliseconds);
+    }
+    launches_ = 0;
+    return seconds;
   }
 
  private:
-  // Waits, and adds up what the last launch took: there is one pair of events.
-  void settle() {
-    check(driver().wait_for_stream(stream_));
-    if (!std::exchange(launched_, false)) return;
-    float milliseconds = 0;
-    check(driver().elapsed_time(&milliseconds, events_[0], events_[1]));
-    seconds_ += 1e-3 * static_cast<double>(milliseconds);
-  }
-
   const Context& context_;
   CUstream stream_ = nullptr;
-  CUevent events_[2] = {};
-  bool launched_ = false;
-  double seconds_ = 0;
+  std::vector<CUevent> events_;  // before and behind each launch since the last wait, and more
+  std::size_t launches_ = 0;
 };
 
 CUdevice first_device() {
@@ -169,6 +168,10 @@ class DeviceEngine final : public Engine {
   }
   [[nodiscard]] std::shared_ptr<const Kernel> ray_form_kernel(const RayFormKey& key,
                                                               const Tape& tape) const override {
+    return compiled(source_of(key), tape);
+  }
+  [[nodiscard]] std::shared_ptr<const Kernel> beam_kernel(const BeamCastKey& key,
+                                                          const Tape& tape) const override {
     return compiled(source_of(key), tape);
   }
 

@@ -18,7 +18,7 @@ class KernelMemory {
 };
 
 /// A kernel that is ready to be launched: one argument, whose bytes are those of the body (volume_body.h,
-/// formula_body.h), for so many threads that each has one ray.
+/// formula_body.h, ...), for so many threads that each has one ray, or one beam.
 class Kernel {
  public:
   virtual ~Kernel() = default;
@@ -54,6 +54,8 @@ class Engine {
                                                                      const Tape& tape) const = 0;
   [[nodiscard]] virtual std::shared_ptr<const Kernel> ray_form_kernel(const RayFormKey& key,
                                                                       const Tape& tape) const = 0;
+  [[nodiscard]] virtual std::shared_ptr<const Kernel> beam_kernel(const BeamCastKey& key,
+                                                                  const Tape& tape) const = 0;
 };
 
 }  // namespace isocast

@@ -1,3 +1,4 @@
+#include <isocast/cuda/beam_device.h>
 #include <isocast/cuda/formula_device.h>
 #include <isocast/cuda/ray_form_work.h>
 #include <isocast/cuda/segment_work.h>
@@ -88,6 +89,10 @@ class Device final : public FormulaDevice {
   [[nodiscard]] std::unique_ptr<const RayFormSolver> ray_form_solver_of(const RayFormKey& key,
                                                                         const Tape& tape) const override {
     return std::make_unique<RayForms>(pool_, key, tape);
+  }
+  [[nodiscard]] std::unique_ptr<const BeamCaster> beam_caster_of(const BeamCastKey& key,
+                                                                 const Tape& tape) const override {
+    return make_beam_caster(pool_, key, tape);
   }
 
  private:

@@ -69,6 +69,20 @@ extern "C" __global__ void __launch_bounds__(128) {2}(const __grid_constant__ Ra
                      kFormulaKernel, key.single ? "float" : "double");
 }
 
+std::string source_of(const BeamCastKey& key) {
+  return fmt::format(R"(#define ISO_ONE_RAY
+#define ISO_ISOS {0}
+#include <isocast/cuda/beam_body.h>
+using namespace isocast;
+extern "C" __global__ void __launch_bounds__(128) {1}(const __grid_constant__ BeamWork<{2}> work) {{
+  alignas(16) std::byte value[sizeof({3}<{2}>)];
+  cast_beams<{3}<{2}>>(work, {{int(blockIdx.x), int(threadIdx.x), int(blockDim.x)}}, value);
+}}
+)",
+                     key.iso_count, kFormulaKernel, key.double_precision ? "double" : "float",
+                     key.affine ? "AffineBeam" : "IntervalBeam");
+}
+
 CompiledProgram compile_formula(const std::string& source, const Tape& tape,
                                 const std::string& architecture) {
   return compile_program(source, headers_with(tape), architecture);

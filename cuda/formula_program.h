@@ -9,9 +9,11 @@ namespace isocast {
 /// The name of the kernel.
 inline constexpr const char* kFormulaKernel = "solve_segments";
 
-/// Programs with one kernel of that name: a method's for segments, a finder's for rays' polynomials.
+/// Programs with one kernel of that name: a method's for segments, a finder's for rays' polynomials, a form's
+/// for beams.
 [[nodiscard]] std::string source_of(const SegmentSolverKey& key);
 [[nodiscard]] std::string source_of(const RayFormKey& key);
+[[nodiscard]] std::string source_of(const BeamCastKey& key);
 
 /// A program with its formula. architecture: as compile_program (nvrtc.h), which says what it throws.
 [[nodiscard]] CompiledProgram compile_formula(const std::string& source, const Tape& tape,

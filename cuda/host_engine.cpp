@@ -18,6 +18,7 @@ namespace isocast {
 namespace one_ray {
 HostFormulaKernel formula_kernel_of(const SegmentSolverKey& key);
 HostFormulaKernel ray_form_kernel_of(const RayFormKey& key);
+HostFormulaKernel beam_kernel_of(const BeamCastKey& key);
 }  // namespace one_ray
 namespace one_ray_nearest {
 HostFormulaKernel formula_kernel_of(const SegmentSolverKey& key);
@@ -102,6 +103,10 @@ class HostEngine final : public Engine {
   [[nodiscard]] std::shared_ptr<const Kernel> ray_form_kernel(const RayFormKey& key,
                                                               const Tape& tape) const override {
     return function_of(one_ray::ray_form_kernel_of(key), tape);
+  }
+  [[nodiscard]] std::shared_ptr<const Kernel> beam_kernel(const BeamCastKey& key,
+                                                          const Tape& tape) const override {
+    return function_of(one_ray::beam_kernel_of(key), tape);
   }
 
  private:

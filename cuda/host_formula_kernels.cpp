@@ -1,4 +1,5 @@
 // Built with ISO_ONE_RAY, once for each rounding, in namespaces of their own.
+#include <isocast/cuda/beam_body.h>
 #include <isocast/cuda/formula_body.h>
 #include <isocast/cuda/host_kernels.h>
 #include <isocast/cuda/ray_form_body.h>
@@ -7,6 +8,7 @@ namespace isocast::inline ISO_ISA {
 
 HostFormulaKernel formula_kernel_of(const SegmentSolverKey& key);
 HostFormulaKernel ray_form_kernel_of(const RayFormKey& key);
+HostFormulaKernel beam_kernel_of(const BeamCastKey& key);
 
 namespace {
 
@@ -27,6 +29,14 @@ template <class T> constexpr HostFormulaKernel ray_form_kernel() {
       kRayFormRegisterBytes};
 }
 
+template <class F, class T> constexpr HostFormulaKernel beam_kernel() {
+  return {
+      [](const void* body, std::int32_t block, std::int32_t thread, std::int32_t threads, void* registers) {
+        cast_beams<F>(*static_cast<const BeamWork<T>*>(body), Place{block, thread, threads}, registers);
+      },
+      sizeof(F)};
+}
+
 template <class T> HostFormulaKernel kernel_of(FormulaMethod method) {
   switch (method) {
     case FormulaMethod::affine: return kernel<AffineSolver<T>, T>();
@@ -44,6 +54,14 @@ HostFormulaKernel formula_kernel_of(const SegmentSolverKey& key) {
 
 HostFormulaKernel ray_form_kernel_of(const RayFormKey& key) {
   return key.single ? ray_form_kernel<float>() : ray_form_kernel<double>();
+}
+
+HostFormulaKernel beam_kernel_of(const BeamCastKey& key) {
+  if (key.affine)
+    return key.double_precision ? beam_kernel<AffineBeam<double>, double>()
+                                : beam_kernel<AffineBeam<float>, float>();
+  return key.double_precision ? beam_kernel<IntervalBeam<double>, double>()
+                              : beam_kernel<IntervalBeam<float>, float>();
 }
 
 }  // namespace isocast::inline ISO_ISA

@@ -13,13 +13,21 @@ struct Place {
   [[nodiscard]] ISO_HD std::int64_t number() const { return std::int64_t(block) * threads + thread; }
 };
 
-/// Adds to a counter that all threads share.
-ISO_HD inline void add_shared(std::int64_t& counter, std::int64_t more) {
+/// Adds to a counter that all threads share; returns what it was.
+ISO_HD inline std::int64_t add_shared(std::int64_t& counter, std::int64_t more) {
   static_assert(sizeof(unsigned long long) == sizeof counter);
 #ifdef __CUDA_ARCH__
-  atomicAdd(reinterpret_cast<unsigned long long*>(&counter), static_cast<unsigned long long>(more));
+  return static_cast<std::int64_t>(
+      atomicAdd(reinterpret_cast<unsigned long long*>(&counter), static_cast<unsigned long long>(more)));
 #else
-  counter += more;
+  return (counter += more) - more;
+#endif
+}
+ISO_HD inline std::int32_t add_shared(std::int32_t& counter, std::int32_t more) {
+#ifdef __CUDA_ARCH__
+  return atomicAdd(&counter, more);
+#else
+  return (counter += more) - more;
 #endif
 }
 

@@ -1,5 +1,4 @@
 // Rays of a formula that a device solves: many streams at a time, in one part.
-#include <fmt/format.h>
 #include <isocast/base/error.h>
 #include <isocast/implicit/implicit_surface.h>
 #include <isocast/implicit/traced_ray.h>
@@ -8,20 +7,22 @@ namespace isocast {
 
 void ImplicitSurface::use_device() {
   const FormulaMethodChoice& method = options_.method;
-  const SegmentSolverKey key = {method.method, options_.double_precision, method.nearest,
-                                static_cast<int>(options_.iso.size())};
+  const int isos = static_cast<int>(options_.iso.size());
+  const bool casts = method.pass == FormulaPass::beam_uniform || method.pass == FormulaPass::beam_adaptive;
+  const SegmentSolverKey key = {method.method, options_.double_precision, method.nearest, isos};
+  const BeamCastKey beam_key = {casts ? method.affine_beams : method.method == FormulaMethod::affine,
+                                options_.double_precision, isos};
+  const bool other = options_.device != device_;
   if (!options_.device || method.has_form()) segment_solver_ = nullptr;
-  else if (method.pass == FormulaPass::beam_uniform || method.pass == FormulaPass::beam_adaptive)
-    throw InputError(fmt::format(
-        "--isa cuda has no kernels for --method {}; expected certified, interval, affine, mitchell, "
-        "interval-newton, amp-sign, amp-taylor or a frustum method",
-        name_of(method)));
   else if (method.options.packets)
     throw InputError("--set packets=1 is for packets of rays, and --isa cuda solves them one by one");
-  else if (options_.device != device_ || !segment_solver_ || !(key == solver_key_))
+  else if (other || !segment_solver_ || !(key == solver_key_))
     segment_solver_ = options_.device->solver_of(key, tape_);
+  if (!segment_solver_ || !(casts || (method.beams && method.proves()))) beam_caster_ = nullptr;
+  else if (other || !beam_caster_ || !(beam_key == beam_key_))
+    beam_caster_ = options_.device->beam_caster_of(beam_key, tape_);
   device_ = options_.device;
-  solver_key_ = key;
+  solver_key_ = key, beam_key_ = beam_key;
 }
 
 template <class T>

@@ -28,7 +28,7 @@ template <class T> struct TracedPart;
 /// components  hits say which operand of the formula's min and max was hit; as the surface is made, for good
 /// mixed_precision  of frustum methods, without double_precision: polynomials in double, roots in float
 /// object      number of the object in its scene
-/// device      what solves rays, if not this processor: one by one, without passes, beams and pruning
+/// device      what solves rays and casts beams, if not this processor: rays one by one, without pruning
 struct ImplicitSurfaceOptions {
   std::vector<double> iso = {0};
   double time = 0;
@@ -103,6 +103,9 @@ class ImplicitSurface final : public Surface {
   void trace_on_device(bool next, std::span<const RayStream> rays, std::span<HitStream* const> hits,
                        TraceCounts& counts) const;
   void use_device();
+  template <class T>
+  [[nodiscard]] std::unique_ptr<PrimaryPass> device_pass(const View& view,
+                                                         const FormulaQuery<T>& query) const;
 
   void set_components(const RayStream& rays, HitStream& hits) const;
   [[nodiscard]] bool forms_suit(const PolynomialDegree& degree) const;
@@ -122,9 +125,11 @@ class ImplicitSurface final : public Surface {
   double eps_ = 0, shadow_eps_ = 0;
   std::shared_ptr<const FrustumTracer> frustum_;  // of frustum methods
   std::shared_ptr<const FrustumTracer> forms_;    // of certified, where it takes them
-  std::shared_ptr<const FormulaDevice> device_;   // that `segment_solver_` is for, with its key
+  std::shared_ptr<const FormulaDevice> device_;   // what comes next is for, with their keys
   SegmentSolverKey solver_key_ = {};
+  BeamCastKey beam_key_ = {};
   std::unique_ptr<const SegmentSolver> segment_solver_;
+  std::unique_ptr<const BeamCaster> beam_caster_;
 };
 
 }  // namespace isocast

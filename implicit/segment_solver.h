@@ -1,6 +1,7 @@
 // What solves the rays of a formula in place of this processor's kernels.
 #pragma once
 
+#include <isocast/implicit/beams/beam_caster.h>
 #include <isocast/implicit/frustum/ray_query.h>
 #include <isocast/implicit/solve/kernels.h>
 
@@ -57,6 +58,8 @@ class FormulaDevice {
                                                                        const Tape& tape) const = 0;
   [[nodiscard]] virtual std::unique_ptr<const RayFormSolver> ray_form_solver_of(const RayFormKey& key,
                                                                                 const Tape& tape) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<const BeamCaster> beam_caster_of(const BeamCastKey& key,
+                                                                         const Tape& tape) const = 0;
 };
 
 }  // namespace isocast

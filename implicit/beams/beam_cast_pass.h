@@ -1,6 +1,7 @@
 // The methods beam-uniform and beam-adaptive.
 #pragma once
 
+#include <isocast/implicit/beams/beam_caster.h>
 #include <isocast/implicit/beams/block_pass.h>
 
 namespace isocast {
@@ -20,14 +21,18 @@ struct BeamCastOptions {
 /// at which the last of a pixel's beams was thrown away.
 template <class T> class BeamCastPass final : public PrimaryPass, private BlockPass<T> {
  public:
+  /// caster  made for the options' form, or null: this processor; for as long as the pass lives
   BeamCastPass(const View& view, const FormulaQuery<T>& query, const FormulaPassInputs& inputs,
-               const BeamCastOptions& options)
-      : BlockPass<T>(view, query, inputs), options_(options) {}
+               const BeamCastOptions& options, const BeamCaster* caster)
+      : BlockPass<T>(view, query, inputs), options_(options), caster_(caster) {}
   void first_hits(int bx, int by, double offset_u, double offset_v, BlockHits& hits,
                   TraceCounts& counts) const override;
 
  private:
+  void cast(const BlockRays<T>& rays, BlockRoots<T>& roots, BlockCells<T>& cells) const;
+
   BeamCastOptions options_;
+  const BeamCaster* caster_;
 };
 
 }  // namespace isocast

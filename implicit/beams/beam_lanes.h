@@ -1,4 +1,4 @@
-// Sixty-four parts of beams at once: f over each, and where in it f may be an iso-value.
+// Parts of beams side by side: f over each, and where in it f may be an iso-value.
 #pragma once
 
 #include <isocast/implicit/beams/block.h>
@@ -6,7 +6,8 @@
 
 namespace isocast::inline ISO_ISA {
 
-inline constexpr int kBeamLanes = 64;
+/// As many parts of beams at once.
+inline constexpr int kBeamLanes = kSlots;
 
 /// Of parts of beams: f has one side of each iso-value in all of it for sure (bit i of `below` set: f < iso
 /// i); f is defined and continuous.
@@ -88,12 +89,13 @@ template <Real R> struct BeamLanes {
   }
 
  private:
-  ISO_HD int packs() const { return (count + kWidth<R> - 1) / kWidth<R>; }
+  ISO_HD int packs() const { return kPacks == 1 ? 1 : (count + kWidth<R> - 1) / kWidth<R>; }
 
   // f over all parts, a pack of them at a time.
   template <class F>
   ISO_HD const F* evaluate(const FormulaQuery<T>& query, const BlockRays<T>& rays, void* registers) {
-    for (int l = count; l < packs() * kWidth<R>; ++l) repeat(count - 1, l);
+    if constexpr (kWidth < R >> 1)
+      for (int l = count; l < packs() * kWidth<R>; ++l) repeat(count - 1, l);
     F inputs[4 * kPacks];
     for (int p = 0; p < packs(); ++p) put_inputs(query, rays, p, inputs);
     return evaluate_some<kPacks>(query.tape, static_cast<const F*>(inputs), static_cast<F*>(registers),

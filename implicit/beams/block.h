@@ -84,10 +84,12 @@ inline constexpr int kMostNodes = 4096;
 /// t, slope  the best guess at it, and df/dt there
 /// side      i + 1 where f rises through iso-value i, -i - 1 where it falls
 /// unclear   nothing is known of roots from this depth on; +inf: there is no such depth
-/// stack, pieces  for the search
-template <class T> struct alignas(64) BlockRoots {
+template <class T> struct alignas(64) PixelRoots {
   T lo[kBlockPixels], hi[kBlockPixels], t[kBlockPixels], slope[kBlockPixels], side[kBlockPixels],
       unclear[kBlockPixels];
+};
+/// With what it took to find them, and room for the search.
+template <class T> struct alignas(64) BlockRoots : PixelRoots<T> {
   std::int64_t evaluations;
   BeamNode<T> stack[kMostNodes];
   RayPiece<T> pieces[kMostPieces];
@@ -96,8 +98,26 @@ template <class T> struct alignas(64) BlockRoots {
 /// Levels below pixels that beams may be cast to, and how many cells these make of a pixel.
 inline constexpr int kMostFiner = 2, kFinestCells = 1 << 2 * kMostFiner;
 
-/// Cells of one level of a quadtree: their upper left corners in cells of the finest level, and the depths
-/// that they begin at.
+/// A level of a quadtree over a block: cells of `size` by `size` of the finest ones, which lie `finer` levels
+/// below pixels.
+struct CastLevel {
+  int level, size, finer;
+
+  /// The one that casting begins with: adaptive, one cell; else all of the finest.
+  [[nodiscard]] static constexpr CastLevel first(bool adaptive, int finer) {
+    return {0, adaptive ? kBlockSide << finer : 1, finer};
+  }
+  [[nodiscard]] constexpr CastLevel next() const { return {level + 1, size / 2, finer}; }
+  /// Cells side by side over so many pixels.
+  [[nodiscard]] constexpr int across(int pixels) const { return ((pixels << finer) + size - 1) / size; }
+};
+/// A cell: its upper left corner in cells of the finest level, and the depth that it begins at.
+template <class T> struct BeamCell {
+  std::int16_t x, y;
+  T from;
+};
+
+/// Cells of one level, in structure of arrays.
 template <class T> struct BeamCells {
   static constexpr int kMost = kBlockPixels << 2 * kMostFiner;
   int count = 0;

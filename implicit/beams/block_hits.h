@@ -1,68 +1,21 @@
 // The roots of a block become hits.
 #pragma once
 
-#include <isocast/implicit/beams/block.h>
-#include <isocast/implicit/solve/inclusion.h>
-#include <isocast/implicit/solve/slots.h>
+#include <isocast/implicit/beams/tile_lanes.h>
 #include <isocast/ray/hit.h>
 
 namespace isocast::inline ISO_ISA {
 
-template <class T> ISO_HD inline int crossed_iso(const BlockRoots<T>& roots, int slot) {
+template <class T> ISO_HD inline int crossed_iso(const PixelRoots<T>& roots, int slot) {
   return static_cast<int>(abs(roots.side[slot])) - 1;
 }
-
-/// Slots of a tile with roots, up to kSlots of them side by side, and points of their rays.
-template <Real R> struct TileLanes {
-  using T = Scalar<R>;
-  static constexpr int kPacks = kSlots / kWidth<R>;
-
-  int slots[kPacks], packs = 0;
-  R u[kPacks], v[kPacks];
-  Mask<R> found[kPacks];
-
-  /// The packs with roots from `range` among the kSlots slots of a tile from `first` on.
-  ISO_HD TileLanes(const BlockRoots<T>& roots, int tile, int first, DepthRange<T> range) {
-    for (int i = first; i < first + kSlots; i += kWidth<R>) {
-      const int slot = tile * kStreamSize + i;
-      const R lo = load<R>(roots.lo + slot);
-      const Mask<R> some = (abs(lo) < R(kInfinity<T>)) & (lo >= R(range.from)) & (lo <= R(range.to));
-      if (!any(some)) continue;
-      T at_u[kWidth<R>], at_v[kWidth<R>];
-      for (int l = 0; l < kWidth<R>; ++l) {
-        at_u[l] = T(slot_x(slot + l)) - T(0.5) * T(kBlockSide - 1);
-        at_v[l] = T(slot_y(slot + l)) - T(0.5) * T(kBlockSide - 1);
-      }
-      u[packs] = load<R>(at_u), v[packs] = load<R>(at_v), found[packs] = some;
-      slots[packs++] = slot;
-    }
-  }
-  /// Values of the slots with roots, else `otherwise`.
-  ISO_HD R get(const T* values, int p, R otherwise) const {
-    return select(found[p], load<R>(values + slots[p]), otherwise);
-  }
-  /// f at these depths.
-  ISO_HD const R* evaluate(const FormulaQuery<T>& query, const BlockRays<T>& rays, const R* t,
-                           void* registers) const {
-    R inputs[4 * kPacks];
-    for (int p = 0; p < packs; ++p) {
-      for (int a = 0; a < 3; ++a)
-        inputs[a * kPacks + p] =
-            R(rays.start[a]) + u[p] * R(rays.start_u[a]) + v[p] * R(rays.start_v[a]) +
-            t[p] * (R(rays.span[a]) + u[p] * R(rays.span_u[a]) + v[p] * R(rays.span_v[a]));
-      inputs[3 * kPacks + p] = R(static_cast<T>(query.time));
-    }
-    return evaluate_some<kPacks>(query.tape, static_cast<const R*>(inputs), static_cast<R*>(registers),
-                                 packs);
-  }
-};
 
 /// The best guesses at the roots of a tile whose brackets begin in `range`: steps of the secant method in
 /// plain arithmetic, from the middle of the bracket and the slope that the form had, kept in the bracket.
 /// Proves nothing and changes no proof. `registers` has room for kSlots / kWidth<R> of R a register.
 template <Real R>
 ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays,
-                               int tile, DepthRange<Scalar<R>> range, BlockRoots<Scalar<R>>& roots,
+                               int tile, DepthRange<Scalar<R>> range, PixelRoots<Scalar<R>>& roots,
                                void* registers) {
   using T = Scalar<R>;
   constexpr int kPacks = TileLanes<R>::kPacks, kSteps = sizeof(T) == 4 ? 2 : 4;
@@ -95,36 +48,9 @@ ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const Block
   }
 }
 
-/// Of a tile's roots that are not proved: the iso-value nearest to f at the guess, and f's side of it at lo,
-/// in plain arithmetic.
-template <Real R>
-ISO_HD inline void guess_tile(const FormulaQuery<Scalar<R>>& query, const BlockRays<Scalar<R>>& rays,
-                              int tile, BlockRoots<Scalar<R>>& roots, void* registers) {
-  using T = Scalar<R>;
-  constexpr int kPacks = TileLanes<R>::kPacks;
-  for (int first = 0; first < kStreamSize; first += kSlots) {
-    const TileLanes<R> lanes(roots, tile, first, {-kInfinity<T>, kInfinity<T>});
-    R t[kPacks], lo[kPacks], nearest[kPacks], level[kPacks];
-    for (int p = 0; p < lanes.packs; ++p)
-      t[p] = lanes.get(roots.t, p, R(T(0))), lo[p] = lanes.get(roots.lo, p, R(T(0)));
-    const R* f = lanes.evaluate(query, rays, t, registers);
-    for (int p = 0; p < lanes.packs; ++p) {
-      nearest[p] = R(T(1)), level[p] = R(query.iso_lo[0]);
-      for (int i = 1; i < query.iso_count; ++i) {
-        const Mask<R> nearer = abs(f[p] - R(query.iso_lo[i])) < abs(f[p] - level[p]);
-        nearest[p] = select(nearer, R(T(i + 1)), nearest[p]);
-        level[p] = select(nearer, R(query.iso_lo[i]), level[p]);
-      }
-    }
-    f = lanes.evaluate(query, rays, lo, registers);
-    for (int p = 0; p < lanes.packs; ++p)
-      store(roots.side + lanes.slots[p], select(f[p] < level[p], nearest[p], -nearest[p]));
-  }
-}
-
 /// Bit i: f < iso i in front of the root in a slot.
 template <class T>
-ISO_HD inline std::uint32_t sides_in_front(const FormulaQuery<T>& query, const BlockRoots<T>& roots,
+ISO_HD inline std::uint32_t sides_in_front(const FormulaQuery<T>& query, const PixelRoots<T>& roots,
                                            int slot) {
   const int crossed = crossed_iso(roots, slot);
   std::uint32_t sides = std::uint32_t(roots.side[slot] > T(0)) << crossed;
@@ -137,7 +63,7 @@ ISO_HD inline std::uint32_t sides_in_front(const FormulaQuery<T>& query, const B
 /// are unclear before them are left out.
 template <Real R, class T>
 ISO_HD inline void write_tile(const FormulaQuery<T>& query, const BlockRays<T>& rays,
-                              const BlockRoots<T>& roots, int tile, std::uint16_t object,
+                              const PixelRoots<T>& roots, int tile, std::uint16_t object,
                               Certificate certificate, HitStream& hits) {
   static_assert(__is_same(Scalar<R>, double));
   const int slot = tile * kStreamSize;

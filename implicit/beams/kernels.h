@@ -28,10 +28,10 @@ template <class T> struct BlockKernels {
                     bool adaptive, void* registers);
   Cast *cast_interval, *cast_affine;
   void (*prove_cells)(const FormulaQuery<T>&, const BlockRays<T>&, BlockCells<T>&, void* registers);
-  void (*polish)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, DepthRange<T>, BlockRoots<T>&,
+  void (*polish)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, DepthRange<T>, PixelRoots<T>&,
                  void* registers);
-  void (*guess)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, BlockRoots<T>&, void* registers);
-  void (*write)(const FormulaQuery<T>&, const BlockRays<T>&, const BlockRoots<T>&, int tile,
+  void (*guess)(const FormulaQuery<T>&, const BlockRays<T>&, int tile, PixelRoots<T>&, void* registers);
+  void (*write)(const FormulaQuery<T>&, const BlockRays<T>&, const PixelRoots<T>&, int tile,
                 std::uint16_t object, Certificate, HitStream&);
   std::size_t register_bytes;
 };

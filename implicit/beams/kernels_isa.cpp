@@ -2,6 +2,7 @@
 #include <isocast/implicit/beams/beam_cast.h>
 #include <isocast/implicit/beams/beam_tree.h>
 #include <isocast/implicit/beams/block_hits.h>
+#include <isocast/implicit/beams/guess_roots.h>
 #include <isocast/implicit/beams/kernels.h>
 #include <isocast/implicit/beams/prove_cells.h>
 #include <isocast/math/pack.h>
@@ -32,7 +33,11 @@ template <class T> constexpr BlockKernels<T> block_kernels() {
           cast<AffineForm<R, 3>, R>,
           prove_cells<AffineForm<R, 3>, R>,
           polish_tile<R>,
-          guess_tile<R>,
+          [](const FormulaQuery<T>& query, const BlockRays<T>& rays, int tile, PixelRoots<T>& roots,
+             void* registers) {
+            for (int first = 0; first < kStreamSize; first += kSlots)
+              guess_roots<R>(query, rays, tile, first, roots, registers);
+          },
           write_tile<Native<double>, T>,
           larger(Tree::kRegisterBytes, BeamCast<Interval<R>, R>::kRegisterBytes)};
 }

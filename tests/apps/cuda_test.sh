@@ -14,7 +14,7 @@ expect() {
   ((found == code)) || fail "$*: code $found: $(cat err.txt)"
   [[ -z $text ]] || grep -q -e "$text" out.txt err.txt || fail "$*: $(cat err.txt)"
 }
-# picture NAME ARGUMENTS...: rays one by one, as a device has them
+# picture NAME ARGUMENTS...: rays one by one, as a device has them, or beams
 picture() {
   local name=$1
   shift
@@ -29,6 +29,8 @@ pictures() {
   picture formula @tangle --method interval --set beams=0 --set prune=0 --aov depth,certificate
   picture affine @tangle --method affine --set beams=0 --set prune=0 --shadows
   picture marching @tangle --method amp-taylor --set prune=0
+  picture beams @tangle --method beam-adaptive --aov depth,certificate
+  picture slanted @tangle --method beam-uniform --set form=affine --set depth=1 --aov depth,certificate
 }
 
 "$program" sample @tangle --resolution 40 --type f32 -o tangle.nrrd || fail "sample"
@@ -43,7 +45,6 @@ else
 fi
 export ISOCAST_CUDA_ENGINE=host
 pictures
-expect 2 "no kernels for --method beam-adaptive" render @tangle --method beam-adaptive --isa cuda -o a.png
 expect 2 "solves them one by one" render @tangle --method interval --set bisection=k --isa cuda -o a.png
 expect 2 "expected an INPUT" bench cells --isa cuda -o bench
 expect 0 "" bench @tangle --isa cuda --quick --size 24x16 --method interval,affine --cache none -o bench

@@ -52,6 +52,23 @@ TEST_CASE("every solver compiles to machine code within its budget", "[property]
     }
 }
 
+TEST_CASE("beams compile to machine code within their budget", "[property]") {
+  if (!has_compiler()) return;
+  const std::vector<Budget> budgets = read_budgets(ISO_BUDGETS);
+  const Tape tape = tape_of(require_surface("tangle"));
+  for (const bool affine : {false, true})
+    for (const bool precise : {false, true}) {
+      if (precise && test::cases(0, 1) == 0) continue;
+      const CompiledProgram program =
+          compile_formula(source_of(BeamCastKey{affine, precise, 1}), tape, "sm_90");
+      const auto kernels = kernels_in(program.log, "sm_90");
+      REQUIRE(kernels.size() == 1);
+      require_within(budgets,
+                     fmt::format("beam_{}_{}", affine ? "affine" : "interval", precise ? "double" : "float"),
+                     kernels.begin()->second);
+    }
+}
+
 TEST_CASE("every root finder compiles to machine code", "[property]") {
   if (!has_compiler()) return;
   const Tape tape = tape_of(require_surface("tangle"));
