@@ -31,6 +31,10 @@ enum class RayOrder : std::uint8_t { automatic, streams, walk };
 /// far.
 struct MaskUse {
   std::size_t bricks = 0, masks = 0, bytes = 0;
+  MaskUse& operator+=(const MaskUse& other) {
+    bricks += other.bricks, masks += other.masks, bytes += other.bytes;
+    return *this;
+  }
 };
 
 /// iso       1 to kMaxIsos values in the user's units (slope and intercept of the file)

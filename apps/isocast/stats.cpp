@@ -46,10 +46,7 @@ std::string stats_json(const FrameReport& r, const std::string& version) {
   const BuiltObject& object = r.built.objects.front();
   MaskUse masks;
   for (const BuiltObject& one : r.built.objects)
-    if (one.mask_use) {
-      const MaskUse use = one.mask_use();
-      masks.bricks += use.bricks, masks.masks += use.masks, masks.bytes += use.bytes;
-    }
+    if (one.mask_use) masks += one.mask_use();
   if (masks.bricks > 0) {
     (masks.masks > 0 ? features : left_out).push_back("bit masks");
     left_out.push_back(fmt::format("bit masks of {} of {} bricks", masks.bricks - masks.masks, masks.bricks));

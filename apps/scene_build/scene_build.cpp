@@ -127,6 +127,12 @@ class Builder {
           throw InputError(fmt::format("found {} iso-values, expected about as many as before", iso.size()));
         for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].move_surface(part_of(iso, i));
       };
+      if (whole.mask_use)
+        whole.mask_use = [pieces] {
+          MaskUse use;
+          for (const BuiltObject& piece : pieces) use += piece.mask_use();
+          return use;
+        };
       if (whole.choose_method)
         whole.choose_method = [pieces] {
           std::string method;

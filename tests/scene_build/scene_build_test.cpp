@@ -168,6 +168,7 @@ TEST_CASE("a hundred iso-values of one volume") {
   REQUIRE(scene.scene.objects.size() == 7);
   CHECK(scene.objects.size() == 1);
   CHECK(scene.objects[0].iso.size() == 100);
+  CHECK(scene.objects[0].mask_use().bricks == 100);
   std::size_t materials = 0;
   for (const SceneObject& object : scene.scene.objects) materials += object.materials.size();
   CHECK(materials == 100);

@@ -131,7 +131,7 @@ TEST_CASE("numbers out of range, names of nothing and impossible combinations ar
   refuse(with(R"("animation": {"frames": [0, 9], "keys": [{"frame": 3}, {"frame": 3}]})"),
          "animation.keys[1].frame");
   refuse(with(R"("animation": {"frames": [0, 9], "keys": [{"frame": 3, "camera": "b"}]})"),
-         "no camera has the name 'b'");
+         "s.json: animation.keys[0].camera: no camera has the name 'b'");
   refuse(with(R"("animation": {"frames": [0, 9], "keys": [{"frame": 3, "iso": {"b": 1}}]})"),
          "did you mean 'a'?");
   refuse_object(R"({"type": "instance", "of": "a", "transforms": [{}]})", "no object has the name 'a'");
@@ -146,6 +146,8 @@ TEST_CASE("numbers out of range, names of nothing and impossible combinations ar
   refuse_object(
       R"({"type": "formula", "expr": "x", "transform": {"matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0]], "scale": 1}})",
       "matrix alone");
+  refuse_object(R"({"type": "formula", "expr": "x", "color_by": {"expr": "y", "map": "virdis"}})",
+                "s.json: objects[0].color_by.map: found the colour map 'virdis'");
   refuse_object(R"({"type": "formula", "expr": "x", "clip": [{}]})",
                 "objects[0].clip[0]: found 0 of plane, box and formula");
   refuse_object(R"({"type": "formula", "expr": "x", "color_by": {"map": "viridis"}})",
