@@ -69,6 +69,8 @@ cmp -s certificate.png probe.png && fail "the overlay shows nothing"
 (($(number scenes) == 1)) || fail "the slider or the camera has built the scene again"
 (($(number tiles.after_cancel) <= $(number threads))) || fail "a newer wish waited for more than a tile of each thread"
 (($(number pictures.preview) + $(number pictures.final) >= 30)) || fail "the picture does not follow the mouse"
+# now and then a software OpenGL compiles a shader in the window's thread
+(($(number interface.over_16_ms) <= 2)) || fail "$(number interface.over_16_ms) frames of the window took over 16 ms"
 
 # a formula: typed, with a parameter, and at a time
 cat >formula.txt <<'S'
@@ -129,6 +131,30 @@ grep -qx "isocast render edited.scene.json --size $size -o edited.png" copied.tx
 same edited.png expected.png "the picture of an edited scene"
 grep -q '"visible": false' edited.scene.json || fail "the hidden object is not in the file"
 (($(number scenes) == 4)) || fail "a scene was built $(number scenes) times, expected 4: at first, hidden, coloured, in another range"
+
+# an animation: its frames are those of render, cut by a plane that is the scene's, and it plays
+cat >moving.json <<'S'
+{"isocast": 1, "objects": [
+  {"name": "ball", "type": "formula", "expr": "x^2+y^2+z^2-r", "params": {"r": 0.2}},
+  {"type": "instance", "of": "ball", "transforms": [{"translate": [1, 0, 0]}]}],
+ "animation": {"frames": [2, 12], "keys": [{"frame": 2, "params": {"ball.r": 0.2}}, {"frame": 12, "params": {"ball.r": 0.4}}]}}
+S
+cat >frames.txt <<'S'
+wait
+frame 7
+press clip.add
+wait
+save frame.png
+press output.copy
+clipboard copied.txt
+press frame.play
+screenshot playing.png
+quit
+S
+view moving.json --window 720x480 --scale 1 --script frames.txt --stats stats.json || fail "animation: $(cat err.txt)"
+grep -qx "isocast render frame.scene.json --frames 7:7 --size $size -o frame.png" copied.txt || fail "copied: $(cat copied.txt)"
+"$program" render frame.scene.json --frames 7:7 --size $size -o expected.png || fail "the copied frame"
+same frame.png expected.png "the picture of a frame"
 
 # another program's file is dropped, what is copied can be pasted elsewhere, and the whole screen is filled
 cat >drop.txt <<'S'

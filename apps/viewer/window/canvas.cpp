@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <isocast/apps/viewer/camera_motion.h>
+#include <isocast/apps/viewer/window/opaque.h>
 #include <isocast/apps/viewer/window/panels.h>
 
 #include <algorithm>
@@ -24,20 +25,26 @@ Place place_of(const App& app, ImVec2 corner, ImVec2 room) {
 void draw_picture(App& app, const Place& place) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (!app.shown) {  // a software OpenGL compiles for both kinds of textures when it first sees them: now
-    list.AddImage(app.texture.handle(), {place.x, place.y}, {place.x + 1, place.y + 1});
-    return list.AddImage(app.other_texture.handle(), {place.x, place.y}, {place.x + 1, place.y + 1});
+    begin_opaque(list);
+    for (const Texture* const one : {&app.texture, &app.other_texture})
+      list.AddImage(one->handle(), {place.x, place.y}, {place.x + 1, place.y + 1});
+    return end_opaque(list);
   }
   // pixels of a preview may reach over the picture's edge to the left and right
   const float width = place.height * static_cast<float>(app.texture.width()) /
                       static_cast<float>(app.texture.height()),
               x = place.x + 0.5f * (place.width - width);
   list.PushClipRect({place.x, place.y}, {place.x + place.width, place.y + place.height}, true);
+  begin_opaque(list);
   list.AddImage(app.texture.handle(), {x, place.y}, {x + width, place.y + place.height});
-  if (app.overlay == Overlay::difference && app.shown && !app.shown->other.empty()) {
-    const auto share = static_cast<float>(app.divider);
-    const float at = place.x + share * place.width;
+  const bool two = app.overlay == Overlay::difference && !app.shown->other.empty();
+  const auto share = static_cast<float>(app.divider);
+  const float at = place.x + share * place.width;
+  if (two)
     list.AddImage(app.other_texture.handle(), {at, place.y}, {place.x + place.width, place.y + place.height},
                   {share, 0}, {1, 1});
+  end_opaque(list);
+  if (two) {
     list.AddLine({at, place.y}, {at, place.y + place.height}, IM_COL32(255, 200, 60, 255), 2);
     const float size = ImGui::GetFontSize();
     const ImVec2 extent = ImGui::CalcTextSize(app.object_news().method.c_str());

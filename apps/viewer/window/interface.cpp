@@ -82,7 +82,8 @@ void draw_interface(App& app) {
   ImGui::End();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   begin_part("canvas", panel, 0, width - panel, height - status,
-             kBehind | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+             kBehind | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
+                 ImGuiWindowFlags_NoBackground);
   ImGui::PopStyleVar();
   draw_canvas(app);
   ImGui::End();

@@ -24,8 +24,8 @@ const char* name_of(Certificate certificate) {
 }
 
 void draw_table(const PixelProbe& probe) {
-  constexpr ImGuiTableFlags flags =
-      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
+  constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
+                                    ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
   if (!ImGui::BeginTable("answers", 8, flags)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   for (const char* title : {"method", "precision", "t", "bracket", "proof", "error", "seconds", "verdict"})
