@@ -74,7 +74,7 @@ std::string source_of(const BeamCastKey& key) {
 #define ISO_ISOS {0}
 #include <isocast/cuda/beam_body.h>
 using namespace isocast;
-extern "C" __global__ void __launch_bounds__(128) {1}(const __grid_constant__ BeamWork<{2}> work) {{
+extern "C" __global__ void __launch_bounds__(128, 4) {1}(const __grid_constant__ BeamWork<{2}> work) {{
   alignas(16) std::byte value[sizeof({3}<{2}>)];
   cast_beams<{3}<{2}>>(work, {{int(blockIdx.x), int(threadIdx.x), int(blockDim.x)}}, value);
 }}

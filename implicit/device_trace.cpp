@@ -18,7 +18,8 @@ void ImplicitSurface::use_device() {
     throw InputError("--set packets=1 is for packets of rays, and --isa cuda solves them one by one");
   else if (other || !segment_solver_ || !(key == solver_key_))
     segment_solver_ = options_.device->solver_of(key, tape_);
-  if (!segment_solver_ || !(casts || (method.beams && method.proves()))) beam_caster_ = nullptr;
+  if (!segment_solver_ || !(casts || (method.pass == FormulaPass::certified && method.proves())))
+    beam_caster_ = nullptr;
   else if (other || !beam_caster_ || !(beam_key == beam_key_))
     beam_caster_ = options_.device->beam_caster_of(beam_key, tape_);
   device_ = options_.device;

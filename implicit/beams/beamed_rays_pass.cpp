@@ -14,7 +14,8 @@ void BeamedRaysPass<T>::first_hits(int bx, int by, double offset_u, double offse
   if (!this->frame_.meets()) return;
   const DefaultFloatEnvironment environment;
   BlockRays<T> rays = this->frame_.template block<T>(bx, by, offset_u, offset_v, this->inputs_.eps);
-  rays.eps = std::max(rays.eps, rays.pixel);
+  constexpr T kDeep = 4;
+  rays.eps = std::max(rays.eps, kDeep * rays.pixel);
   BlockRoots<T>& roots = this->roots();
   std::uint8_t levels[kBlockPixels];
   caster_.cast(this->query_, rays, 0, true, roots, levels);

@@ -1,4 +1,4 @@
-// A device's primary rays of a formula: first beams, then rays from where those left off.
+// The primary rays of certified on a device: first beams, then rays from where those left off.
 #pragma once
 
 #include <isocast/implicit/beams/beam_caster.h>
@@ -7,9 +7,9 @@
 
 namespace isocast {
 
-/// A quadtree of beams down to pixels, in which depths are halved until they are as long as a pixel is wide.
-/// A ray whose pixel was thrown away is proved to miss; others are solved from the depth before which their
-/// pixel is empty, a block's together.
+/// A quadtree of beams down to pixels, in which depths are halved until they are as long as four pixels are
+/// wide. A ray whose pixel was thrown away is proved to miss; others are solved from the depth before which
+/// their pixel is empty, a block's together.
 ///
 /// caster  of beams, for as long as the pass lives; trace: of rays
 /// source  Ganacim, de Figueiredo, Nehab: Beam casting implicit surfaces on the GPU with interval arithmetic,
