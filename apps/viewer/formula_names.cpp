@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/viewer/formula_names.h>
 #include <isocast/implicit/expression/catalogue.h>
@@ -34,7 +35,7 @@ bool document_uses_time(const SceneJson& part) {
     const SceneJson& value = item.value();
     if (!value.is_string()) return document_uses_time(value);
     const std::string& key = item.key();
-    if (key == "id") return text_uses_time("@" + value.get<std::string>());
+    if (key == "id") return text_uses_time(fmt::format("@{}", value.get<std::string>()));
     return (key == "expr" || key == "formula") && text_uses_time(value);
   });
 }

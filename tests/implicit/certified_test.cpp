@@ -104,7 +104,7 @@ TEST_CASE("trees of beams prove what single rays prove", "[property]") {
 }
 
 TEST_CASE("certified pictures of the catalogue agree with the reference", "[property]") {
-  const int size = static_cast<int>(cases(20, 96));
+  const int size = static_cast<int>(cases(14, 96));
   for (const CatalogueSurface& surface : catalogue()) {
     const Expression expression = surface_expression(surface);
     const FormulaReference reference(expression, 0, 0);

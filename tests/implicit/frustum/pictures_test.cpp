@@ -100,7 +100,7 @@ TEST_CASE("what the frustum form proves of the catalogue's polynomials is true")
     }
     Tally tally;
     INFO(surface.id << " of degree " << *degree);
-    check_picture(surface, static_cast<int>(cases(401, 7)), tally);
+    check_picture(surface, static_cast<int>(cases(601, 7)), tally);
     UNSCOPED_INFO(surface.id << ": " << tally.rays << " rays, undecided " << tally.open[0] << " "
                              << tally.open[1] << " " << tally.open[2] << " " << tally.open[3]
                              << ", of those wrong " << tally.wrong[0] << " " << tally.wrong[1] << " "
