@@ -17,7 +17,8 @@ class OpenRays {
 
   /// The tile that rays come from now.
   void begin(const View& view, int tx, int ty, double offset_u, double offset_v, HitStream& hits);
-  /// The tile's ray i, whose roots before the distance `from` are known.
+  /// The tile's ray i, whose roots before the distance `from` along it are known; solves them when they are
+  /// as many as a stream holds.
   void add(int i, double from, TraceCounts& counts);
   void solve(TraceCounts& counts);
 

@@ -38,8 +38,8 @@ struct FrustumOptions {
 /// The normal that a hit carries, which may point to either side; nothing where it has none.
 [[nodiscard]] std::optional<Double3> form_normal(const HitStream& hits, int slot);
 
-/// Rays of a picture of which a form proves nothing, or whose root lies in a bracket longer than `longest`:
-/// solved by the surface's first_hit instead. No surface: they stay undecided.
+/// Rays of a picture of which a form proves nothing, or whose root lies in a bracket longer than `longest`, a
+/// distance in world space: solved by the surface's first_hit instead. No surface: they stay undecided.
 struct DoubtfulRays {
   const Surface* surface = nullptr;
   double longest = 0;
@@ -54,7 +54,7 @@ class FrustumTracer {
   FrustumTracer(const Tape& tape, const Box& domain, const FrustumOptions& options);
 
   /// Null with a device, above degree kMostFormDegree, and where the domain is seen too small for forms; must
-  /// not outlive the tracer.
+  /// outlive neither the tracer nor the view.
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view,
                                                      const DoubtfulRays& doubtful = {}) const;
 
