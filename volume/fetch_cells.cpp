@@ -1,39 +1,49 @@
 #include <isocast/volume/fetch_cells.h>
 #include <isocast/volume/visit_grid.h>
 
+#include <bit>
+
 namespace isocast {
 namespace {
 
 template <class T, class Grid>
-void fetch(const VolumeQuery& query, int iso, const std::int32_t (*cells)[3], int count, T (*f)[8],
-           FetchedCell* states) {
+FetchedLanes fetch(const VolumeQuery& query, int iso, const std::int32_t* const (&cells)[3],
+                   std::uint32_t lanes, T (*f)[kPacketSize]) {
   const Grid grid(query);
+  const auto value = query.iso[iso];
+  const bool proves = query.proves;
   typename Grid::Place place;
-  for (int i = 0; i < count; ++i) {
+  FetchedLanes fetched;
+  for (; lanes; lanes &= lanes - 1) {
+    const int l = std::countr_zero(lanes);
+    const std::int32_t cell[3] = {cells[0][l], cells[1][l], cells[2][l]};
     typename Grid::Sample raw[8];
-    grid.enter(cells[i], place);
-    grid.load_corners(cells[i], place, raw);
+    grid.enter(cell, place);
+    grid.load_corners(cell, place, raw);
     T finite = 0;
     for (int k = 0; k < 8; ++k) {
       // as fetch_one (trace.h)
-      f[i][k] = query.proves ? T(corner_value<double>(raw[k], query.iso[iso]))
-                             : corner_value<T>(raw[k], query.iso[iso]);
-      finite += f[i][k] * T(0);
+      const T corner = proves ? T(corner_value<double>(raw[k], value)) : corner_value<T>(raw[k], value);
+      f[k][l] = corner;
+      finite += corner * T(0);
     }
-    states[i] = FetchedCell::exists;
-    if (finite == T(0)) continue;
-    states[i] = FetchedCell::none;
-    if (!query.proves) continue;
+    if (finite == T(0)) {
+      fetched.exists |= 1u << l;
+      continue;
+    }
+    if (!proves) continue;
     double exists = 0;
     for (const auto& sample : raw) exists += double(number(sample)) * 0.0;
-    if (exists == 0) states[i] = FetchedCell::doubtful;
+    if (exists == 0) fetched.doubtful |= 1u << l;
   }
+  return fetched;
 }
 
 template <class T>
-void fetch_any(const VolumeQuery& query, int iso, const std::int32_t (*cells)[3], int count, T (*f)[8],
-               FetchedCell* states) {
-  visit_grid(query, [&]<class Grid>(GridTag<Grid>) { fetch<T, Grid>(query, iso, cells, count, f, states); });
+FetchedLanes fetch_any(const VolumeQuery& query, int iso, const std::int32_t* const (&cells)[3],
+                       std::uint32_t lanes, T (*f)[kPacketSize]) {
+  return visit_grid(query,
+                    [&]<class Grid>(GridTag<Grid>) { return fetch<T, Grid>(query, iso, cells, lanes, f); });
 }
 
 }  // namespace
@@ -51,13 +61,13 @@ void prefetch_block(const VolumeQuery& query, const std::int32_t (&first)[3]) {
       __builtin_prefetch(corner + std::size_t(z) * slice + std::size_t(y) * row);
 }
 
-void fetch_cells(const VolumeQuery& query, int iso, const std::int32_t (*cells)[3], int count, float (*f)[8],
-                 FetchedCell* states) {
-  fetch_any(query, iso, cells, count, f, states);
+FetchedLanes fetch_cells(const VolumeQuery& query, int iso, const std::int32_t* const (&cells)[3],
+                         std::uint32_t lanes, float (*f)[kPacketSize]) {
+  return fetch_any(query, iso, cells, lanes, f);
 }
-void fetch_cells(const VolumeQuery& query, int iso, const std::int32_t (*cells)[3], int count, double (*f)[8],
-                 FetchedCell* states) {
-  fetch_any(query, iso, cells, count, f, states);
+FetchedLanes fetch_cells(const VolumeQuery& query, int iso, const std::int32_t* const (&cells)[3],
+                         std::uint32_t lanes, double (*f)[kPacketSize]) {
+  return fetch_any(query, iso, cells, lanes, f);
 }
 
 }  // namespace isocast

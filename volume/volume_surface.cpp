@@ -117,6 +117,7 @@ MaskUse VolumeSurface::mask_use() const {
     use.bytes += masks->bytes();
   }
   if (united_) use.bytes += united_->bytes();
+  use.bytes += pyramid_->bricks.bytes();
   return use;
 }
 
@@ -185,6 +186,7 @@ void VolumeSurface::choose_masks() {
   }
   united_ = masks.size() > 1 ? std::make_shared<const BrickMasks>(bricks_.count) : nullptr;
   masks_ = std::move(masks);
+  if (!pyramid_ || !query_.sparse) pyramid_ = std::make_unique<Pyramid>();
 }
 
 std::unique_ptr<PrimaryPass> VolumeSurface::primary(const View& view) const {
@@ -202,12 +204,12 @@ MarchField VolumeSurface::march_field() const {
   MarchField field = {};
   field.query = &query_;
   field.bricks = directory_.view();
+  std::call_once(pyramid_->made, [&] { pyramid_->bricks = BrickPyramid(field.bricks, query_); });
+  field.pyramid = pyramid_->bricks.view();
   const double size = 1 << (query_.sparse ? kTreeShifts[0] : query_.grid.levels[0].shift);
   for (int a = 0; a < 3; ++a) {
-    field.first[a] = query_.samples.first[a];
-    field.last[a] = query_.samples.last[a];
-    field.low[a] = std::max(query_.active.lo[a] * size, field.first[a]);
-    field.high[a] = std::min((query_.active.hi[a] + 1) * size, field.last[a]);
+    field.low[a] = std::max(query_.active.lo[a] * size, double(query_.samples.first[a]));
+    field.high[a] = std::min((query_.active.hi[a] + 1) * size, double(query_.samples.last[a]));
   }
   for (std::size_t i = 0; i < masks_.size(); ++i) {
     field.masks[i] = masks_[i].get();

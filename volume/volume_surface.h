@@ -5,6 +5,7 @@
 #include <isocast/ray/surface.h>
 #include <isocast/volume/bricks/brick_directory.h>
 #include <isocast/volume/bricks/brick_masks.h>
+#include <isocast/volume/bricks/brick_pyramid.h>
 #include <isocast/volume/bricks/bricks.h>
 #include <isocast/volume/macrocells.h>
 #include <isocast/volume/methods.h>
@@ -15,6 +16,7 @@
 #include <isocast/volume/volume_tracer.h>
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -23,7 +25,7 @@ namespace isocast {
 /// How rays find their cells; the bits are the same.
 ///
 /// automatic  primary rays in object order where that pays, others in streams
-/// streams    all in streams: many rays at a time through the bricks' masks (stream/march_lanes.h)
+/// streams    all in streams: many rays at a time through the bricks' masks (stream/march_rays.h)
 /// walk       one after the other through the ranges of blocks (march.h): what the others are held against
 enum class RayOrder : std::uint8_t { automatic, streams, walk };
 
@@ -102,6 +104,12 @@ class VolumeSurface final : public Surface {
   BrickDirectory directory_;
   std::vector<std::shared_ptr<const IsoMasks>> masks_;  // one for each iso-value
   std::shared_ptr<const BrickMasks> united_;            // of several
+  // made for the first stream
+  struct Pyramid {
+    std::once_flag made;
+    BrickPyramid bricks;
+  };
+  std::unique_ptr<Pyramid> pyramid_;
   Isa isa_;
   NormalKind normals_;
   RayOrder order_;

@@ -1,19 +1,11 @@
 // Where rays of a patch meet the planes of cells, with the bits that the walk has.
 #pragma once
 
-#include <isocast/volume/primary/lanes.h>
+#include <isocast/volume/cell_planes.h>
+#include <isocast/volume/int_lanes.h>
 #include <isocast/volume/primary/ray_rows.h>
-#include <isocast/volume/traverse.h>
 
 namespace isocast::inline ISO_ISA {
-
-/// Where rays meet the planes of a cell each. They cross it if they meet all near ones before all far ones:
-/// those that do surely do not have t_out < t_in.
-template <Real R> struct CellPlanes {
-  R near[3], far[3];
-  Mask<R> start;  // the ray starts in the cell, or behind it
-  R t_in, t_out;
-};
 
 /// The same expression as in traverse.h: planes are met at (k - o) * inverse. cell: the first corners.
 template <Real R, bool kOrthographic>
@@ -31,20 +23,8 @@ inline CellPlanes<R> meet_planes(const PatchLook& look, const RayColumns<R>& ray
     p.near[a] = min(low, high);
     p.far[a] = max(low, high);
   }
-  const R entered = max(max(p.near[0], p.near[1]), p.near[2]);
-  p.start = entered <= R(0);
-  p.t_in = max(entered, R(0));
-  p.t_out = min(min(p.far[0], p.far[1]), p.far[2]);
+  order_planes(R(0), p);
   return p;
-}
-
-/// The axes of the last near and the first far plane by (t, axis), or kStart.
-template <Real R> struct CrossingAxes { R in, out; };
-template <Real R> inline CrossingAxes<R> crossing_axes(const CellPlanes<R>& p) {
-  const R in = select(p.near[2] >= max(p.near[0], p.near[1]), R(2),
-                      select(p.near[1] >= p.near[0], R(1), R(0))),
-          out = select(p.far[2] < min(p.far[0], p.far[1]), R(2), select(p.far[1] < p.far[0], R(1), R(0)));
-  return {select(p.start, R(kStart), in), out};
 }
 
 /// Entry and exit of the cell along one axis in its own coordinates (point_in_cell).

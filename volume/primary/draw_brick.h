@@ -1,13 +1,11 @@
 // The active cells of a brick, drawn into a patch: nearest blocks first, hidden ones not at all.
 #pragma once
 
+#include <isocast/volume/cube_bits.h>
 #include <isocast/volume/primary/footprints.h>
 #include <isocast/volume/primary/pairs.h>
 
 namespace isocast::inline ISO_ISA {
-
-/// Blocks in a brick or cells in a block: a cube of 4^3.
-inline constexpr int kCubeBoxes = 64;
 
 /// All that drawing needs of its surroundings. clip: the brick's pixels.
 struct DrawContext {
@@ -30,27 +28,6 @@ struct BoxList {
 };
 inline PixelBox pixels_of(const BoxList& list, int i) {
   return {list.x_lo[i], list.x_hi[i], list.y_lo[i], list.y_hi[i]};
-}
-
-/// Where a box of a cube begins along an axis, in boxes.
-template <class V> inline V place_in_cube(V number, int axis) { return number >> 2 * axis & 3; }
-
-/// Bits in the order of their numbers exclusive-ored with `flip`: x, y and z are either reversed or not.
-inline std::uint64_t flipped(std::uint64_t bits, int flip) {
-  const auto swap = [&](std::uint64_t low, int by) { bits = (bits >> by & low) | (bits & low) << by; };
-  if (flip & 1) {
-    swap(0x5555555555555555u, 1);
-    swap(0x3333333333333333u, 2);
-  }
-  if (flip & 4) {
-    swap(0x0f0f0f0f0f0f0f0fu, 4);
-    swap(0x00ff00ff00ff00ffu, 8);
-  }
-  if (flip & 16) {
-    swap(0x0000ffff0000ffffu, 16);
-    swap(0x00000000ffffffffu, 32);
-  }
-  return bits;
 }
 
 /// Lists the cube's boxes of `bits`, each of `size` cells along an edge, that may meet pixels of the patch.
@@ -125,11 +102,8 @@ inline void draw_cell(const DrawContext& context, const std::int32_t (&first)[3]
       if (bits == 0) continue;
       if (slot < 0) {
         const std::int32_t at[3] = {first[0] + place[0], first[1] + place[1], first[2] + place[2]};
-        T f[1][8];
-        FetchedCell state;
-        fetch_cells(context.query, context.iso, &at, 1, f, &state);
-        if (state == FetchedCell::none) return;
-        slot = keep_cell(at, context.iso, state, f[0], cells_of(patch, T{}));
+        slot = keep_cell(context.query, at, context.iso, cells_of(patch, T{}));
+        if (slot < 0) return;
       }
       put_ints(queue.ray + queue.size, rays_from<R>(ray), bits);
       for (int l = 0; l < kWidth<R>; ++l) queue.cell[queue.size + l] = slot;

@@ -13,15 +13,18 @@ namespace isocast::inline ISO_ISA {
 inline CellRing<float>& cells_of(PatchState& patch, float) { return patch.cells_float; }
 inline CellRing<double>& cells_of(PatchState& patch, double) { return patch.cells_double; }
 
-/// The slot that a cell gets. f: its corners minus iso.
+/// Fetches a cell into a slot of its own; -1 where there is none.
 template <class T>
-inline int keep_cell(const std::int32_t (&at)[3], int iso, FetchedCell state, const T (&f)[8],
-                     CellRing<T>& ring) {
-  const int slot = int(ring.next++ % CellRing<T>::kSlots);
-  for (int k = 0; k < 8; ++k) ring.f[k][slot] = f[k];
+inline int keep_cell(const VolumeQuery& query, const std::int32_t (&at)[3], int iso, CellRing<T>& ring) {
+  static_assert(CellRing<T>::kSlots == kPacketSize);
+  const int slot = int(ring.next % CellRing<T>::kSlots);
   for (int a = 0; a < 3; ++a) ring.at[a][slot] = at[a];
+  const FetchedLanes fetched =
+      fetch_cells(query, iso, {ring.at[0], ring.at[1], ring.at[2]}, 1u << slot, ring.f);
+  if ((fetched.exists | fetched.doubtful) == 0) return -1;
+  ++ring.next;
   ring.iso[slot] = iso;
-  ring.doubtful[slot] = state == FetchedCell::doubtful;
+  ring.doubtful[slot] = fetched.doubtful != 0;
   return slot;
 }
 

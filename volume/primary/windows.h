@@ -1,7 +1,7 @@
 // A first look at the rays of small windows of a patch: which of them may cross a cell.
 #pragma once
 
-#include <isocast/volume/primary/lanes.h>
+#include <isocast/volume/int_lanes.h>
 #include <isocast/volume/primary/patch.h>
 
 namespace isocast::inline ISO_ISA {

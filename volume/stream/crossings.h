@@ -36,15 +36,6 @@ template <Real R> Mask<R> crossed(R t, int a, R t0, R a0) {
   return (t < t0) | ((t == t0) & (R(double(a)) <= a0));
 }
 
-/// The first of three crossings by (t, axis).
-template <Real R> struct NextCrossing { R t, axis; };
-template <Real R> NextCrossing<R> next_crossing(R x, R y, R z) {
-  const Mask<R> second = y < x;
-  const R t = select(second, y, x);
-  const Mask<R> third = z < t;
-  return {select(third, z, t), select(third, R(2), select(second, R(1), R(0)))};
-}
-
 /// The cells between lo and hi, both included, that the rays of `valid` are in along axis a after all
 /// crossings up to (t, axis).
 template <Real R> R cell_after(const AxisOfRays<R>& ray, int a, R t, R axis, R lo, R hi, Mask<R> valid) {

@@ -9,16 +9,19 @@ namespace isocast {
 
 enum class Isa : std::uint8_t;  // isa/cpu.h
 
-/// enter   the rays of the stream that enter the grid within [t_min, t_max], queued (enter.h)
-/// resume  puts the queued rays of a stream into cells that they are known to cross
-/// march   from cell to cell until each queued ray has found an active one or is at its end (march_lanes.h)
-/// chords  of up to 16 rays in their cells (chords.h)
+/// enter   the rays of the stream that enter the grid within [t_min, t_max], queued (enter.h); cells: that
+/// they
+///         are known to be in, or null
+/// march   from active cell to active cell until each queued ray has met its root, which the solver tells, or
+///         is at its end (march_rays.h)
+/// chords  of the rays in the first cells of a queue, up to 16 (chords.h)
 struct StreamKernels {
   void (*enter)(const MarchField& field, const RayStream& rays, const double (&t_max)[kStreamSize],
-                WalkingRays& to);
-  void (*resume)(const RayStream& rays, const std::int32_t (&cells)[3][kStreamSize], WalkingRays& to);
-  void (*march)(const MarchField& field, WalkingRays& rays, TraceCounts& counts);
-  void (*chords)(const WalkingRays& rays, const std::uint16_t* slots, int count, CellChords& chords);
+                const std::int32_t (*cells)[kStreamSize], WalkingRays& to);
+  void (*march)(const MarchField& field, WalkingRays& rays, CellSolver& solver, TraceCounts& counts);
+  void (*chords_float)(const WalkingRays& rays, const CellQueue& queue, int count, CellChords<float>& chords);
+  void (*chords_double)(const WalkingRays& rays, const CellQueue& queue, int count,
+                        CellChords<double>& chords);
 };
 
 /// The table of an instruction set that runs here. All give the same bits.

@@ -2,7 +2,7 @@
 #include <isocast/volume/stream/chords.h>
 #include <isocast/volume/stream/enter.h>
 #include <isocast/volume/stream/kernels.h>
-#include <isocast/volume/stream/march_lanes.h>
+#include <isocast/volume/stream/march_rays.h>
 
 namespace isocast::inline ISO_ISA {
 
@@ -11,9 +11,11 @@ extern const StreamKernels stream_kernel_table;
 namespace {
 
 using R = Native<double>;
+using F = Native<float>;
 
 }  // namespace
 
-const StreamKernels stream_kernel_table = {enter_rays<R>, resume_rays<R>, march_rays<R>, find_chords<R>};
+const StreamKernels stream_kernel_table = {enter_rays<R>, march_rays<F>, find_chords<R, float>,
+                                           find_chords<R, double>};
 
 }  // namespace isocast::inline ISO_ISA

@@ -12,16 +12,16 @@ class IsoMasks;
 
 /// The bricks of a grid with their masks. Grid space: samples at the integers.
 ///
-/// first, last  the grid's first and last sample per axis
+/// pyramid      those that may hold active cells
 /// low, high    planes between which there may be active cells
 /// masks, made  of each iso-value, and IsoMasks::made of it
 /// united, all  several iso-values: masks of the cells that hold any, and what is made of them; one: null,
-/// and
-///              what is made of its own
+///              and what is made of its own
 struct MarchField {
   const VolumeQuery* query;
   BrickMap bricks;
-  double first[3], last[3], low[3], high[3];
+  PyramidView pyramid;
+  double low[3], high[3];
   const IsoMasks* masks[kMaxIsos];
   const BrickMask* const* made[kMaxIsos];
   const BrickMasks* united;

@@ -6,6 +6,9 @@
 #include <isocast/volume/stream/stream_tracer.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
 
 namespace isocast {
 namespace {
@@ -21,7 +24,7 @@ struct RayStarts {
 };
 
 // The iso-values that a cell holds, as bits.
-std::uint32_t isos_of(const MarchField& field, const std::int32_t (&cell)[3]) {
+std::uint32_t isos_of(const MarchField& field, const std::array<std::int32_t, 3>& cell) {
   std::int32_t brick[3];
   int block = 0, bit = 0;
   for (int a = 2; a >= 0; --a) {
@@ -30,11 +33,11 @@ std::uint32_t isos_of(const MarchField& field, const std::int32_t (&cell)[3]) {
     block = block * 4 + (at >> 2 & 3);
     bit = bit * 4 + (at & 3);
   }
-  const FoundBrick found = find_brick(field.bricks, brick);
+  const std::size_t found = find_brick(field.bricks, brick);
   std::uint32_t isos = 0;
-  if (found.number == kNoBrick) return isos;
+  if (found == kNoBrick) return isos;
   for (int iso = 0; iso < field.query->iso_count; ++iso)
-    isos |= std::uint32_t(mask_of(field, iso, found.number, brick).cells[block] >> bit & 1) << iso;
+    isos |= std::uint32_t(mask_of(field, iso, found, brick).cells[block] >> bit & 1) << iso;
   return isos;
 }
 
@@ -44,54 +47,56 @@ struct Journey {
   RayStarts starts;
 };
 
-// The cells that up to 16 rays have found, as solve_cells.h asks for them.
-class FoundCells {
+void find_chords(const StreamKernels& kernels, const WalkingRays& rays, const CellQueue& queue, int count,
+                 CellChords<float>& chords) {
+  kernels.chords_float(rays, queue, count, chords);
+}
+void find_chords(const StreamKernels& kernels, const WalkingRays& rays, const CellQueue& queue, int count,
+                 CellChords<double>& chords) {
+  kernels.chords_double(rays, queue, count, chords);
+}
+
+// The first cells of a queue, as solve_cells.h asks for them.
+template <class T> class FoundCells {
  public:
   static constexpr int kLanes = kPacketSize;
 
   FoundCells(const MarchField& field, const StreamKernels& kernels, const RayStream& rays,
-             const Journey& journey, const std::uint16_t* slots, int count)
-      : query_(*field.query), rays_(rays), journey_(journey), slots_(slots) {
-    kernels.chords(journey.rays, slots, count, chords_);
-    for (int l = 0; l < count; ++l)
-      for (std::uint32_t isos = query_.iso_count == 1 ? 1 : isos_of(field, chords_.cell[l]); isos;
-           isos &= isos - 1)
-        held_[__builtin_ctz(isos)] |= 1u << l;
+             const Journey& journey, const CellQueue& queue, int count)
+      : query_(*field.query), rays_(rays), starts_(journey.starts), queue_(queue) {
+    find_chords(kernels, journey.rays, queue, count, chords_);
+    for (std::uint32_t rest = chords_.crossed; rest; rest &= rest - 1) {
+      const int l = std::countr_zero(rest);
+      for (std::uint32_t isos = query_.iso_count == 1 ? 1 : isos_of(field, cell(l)); isos; isos &= isos - 1)
+        held_[std::countr_zero(isos)] |= 1u << l;
+    }
   }
+
+  /// Lanes whose ray does cross its cell.
+  [[nodiscard]] std::uint32_t crossed() const { return chords_.crossed; }
 
   [[nodiscard]] std::uint32_t holding(int iso, std::uint32_t lanes) const { return held_[iso] & lanes; }
 
-  template <class T>
   std::uint32_t fetch(int iso, std::uint32_t lanes, CellPacket<T>& packet, std::uint32_t& doubtful) const {
-    std::int32_t cells[kPacketSize][3];
-    int lane[kPacketSize], count = 0;
-    for (std::uint32_t rest = lanes; rest; rest &= rest - 1, ++count) {
-      lane[count] = __builtin_ctz(rest);
-      std::ranges::copy(chords_.cell[lane[count]], cells[count]);
+    const FetchedLanes fetched =
+        fetch_cells(query_, iso, {queue_.cell[0], queue_.cell[1], queue_.cell[2]}, lanes, packet.f);
+    std::memcpy(packet.entry, chords_.entry, sizeof packet.entry);
+    std::memcpy(packet.exit, chords_.exit, sizeof packet.exit);
+    for (int l = 0; l < kPacketSize; ++l) {
+      packet.slack[l] = 0;
+      set_start(packet, l, 0, false, 0, iso);
     }
-    T f[kPacketSize][8];
-    FetchedCell states[kPacketSize];
-    fetch_cells(query_, iso, cells, count, f, states);
-    std::uint32_t fetched = 0;
-    for (int n = 0; n < count; ++n) {
-      const int l = lane[n];
-      if (states[n] == FetchedCell::doubtful) doubtful |= 1u << l;
-      if (states[n] != FetchedCell::exists) continue;
-      fetched |= 1u << l;
-      for (int k = 0; k < 8; ++k) packet.f[k][l] = f[n][k];
-      for (int a = 0; a < 3; ++a) {
-        packet.entry[a][l] = T(chords_.entry[a][l]);
-        packet.exit[a][l] = T(chords_.exit[a][l]);
-      }
-      const int slot = slots_[l];
-      const RayStarts& s = journey_.starts;
-      packet.slack[l] = query_.proves ? slack<T>(slot, l) : T(0);
-      if (journey_.rays.fresh[slot])
-        set_start(packet, l, iso == s.iso_of_hit[slot] ? s.begin_of_iso[slot] : s.begin[slot], s.known[slot],
-                  s.sides[slot], iso);
-      else set_start(packet, l, 0, false, 0, iso);
+    for (std::uint32_t rest = lanes & chords_.first; rest; rest &= rest - 1) {
+      const int l = std::countr_zero(rest), slot = queue_.slot[l];
+      set_start(packet, l, iso == starts_.iso_of_hit[slot] ? starts_.begin_of_iso[slot] : starts_.begin[slot],
+                starts_.known[slot], starts_.sides[slot], iso);
     }
-    return fetched;
+    for (std::uint32_t rest = query_.proves ? lanes : 0; rest; rest &= rest - 1) {
+      const int l = std::countr_zero(rest);
+      packet.slack[l] = slack(queue_.slot[l], l);
+    }
+    doubtful |= fetched.doubtful;
+    return fetched.exists;
   }
 
   [[nodiscard]] bool starts(int l) const {
@@ -99,17 +104,22 @@ class FoundCells {
     return chords_.axis_in[l] == kStart && !known_sides(l, sides);
   }
   bool known_sides(int l, std::uint32_t& sides) const {
-    sides = journey_.starts.sides[slots_[l]];
-    return journey_.rays.fresh[slots_[l]] && journey_.starts.known[slots_[l]];
+    sides = starts_.sides[queue_.slot[l]];
+    return is_first(l) && starts_.known[queue_.slot[l]];
   }
   [[nodiscard]] CellRoot place(int l) const {
-    const std::int32_t(&cell)[3] = chords_.cell[l];
-    return {.t_in = chords_.t_in[l], .t_out = chords_.t_out[l], .cell = {cell[0], cell[1], cell[2]}};
+    return {.t_in = chords_.t_in[l],
+            .t_out = chords_.t_out[l],
+            .cell = {queue_.cell[0][l], queue_.cell[1][l], queue_.cell[2][l]}};
   }
-  [[nodiscard]] bool doubt(int l) const { return journey_.starts.doubt[slots_[l]]; }
+  [[nodiscard]] bool doubt(int l) const { return starts_.doubt[queue_.slot[l]]; }
 
  private:
-  template <class T> [[nodiscard]] T slack(int slot, int l) const {
+  [[nodiscard]] bool is_first(int l) const { return chords_.first >> l & 1; }
+  [[nodiscard]] std::array<std::int32_t, 3> cell(int l) const {
+    return {queue_.cell[0][l], queue_.cell[1][l], queue_.cell[2][l]};
+  }
+  [[nodiscard]] T slack(int slot, int l) const {
     const double o[3] = {rays_.ox[slot], rays_.oy[slot], rays_.oz[slot]},
                  d[3] = {rays_.dx[slot], rays_.dy[slot], rays_.dz[slot]};
     return chord_slack<T>(ray_slack(query_, o, d), chords_.t_in[l], chords_.t_out[l]);
@@ -117,56 +127,69 @@ class FoundCells {
 
   const VolumeQuery& query_;
   const RayStream& rays_;
-  const Journey& journey_;
-  const std::uint16_t* slots_;
-  CellChords chords_;
+  const RayStarts& starts_;
+  const CellQueue& queue_;
+  CellChords<T> chords_;
   std::uint32_t held_[kMaxIsos] = {};  // the lanes whose cell holds each iso-value
 };
 
-// Solves the cells of `count` rays from `slots` on; those without a root are put back into the queue.
-template <class T>
-void solve_found(const MarchField& field, const StreamKernels& kernels, const RayStream& rays,
-                 const std::uint16_t* slots, int count, Journey& journey, HitStream& hits,
-                 TraceCounts& counts) {
-  alignas(64) CellPacket<T> packet = {};
-  alignas(64) RootPacket<T> roots = {};
-  std::uint32_t cost[kPacketSize] = {};
-  const VolumeQuery& query = *field.query;
-  const FoundCells cells(field, kernels, rays, journey, slots, count);
-  const Nearest<T> nearest = solve_cells(query, cells, (1u << count) - 1, cost, packet, roots, counts);
-  for (std::uint32_t rest = nearest.unproved; rest; rest &= rest - 1)
-    journey.starts.doubt[slots[__builtin_ctz(rest)]] = true;
-  std::uint32_t missed = 0;
-  for (int l = 0; l < count; ++l) {
-    hits.cost[slots[l]] += cost[l];
-    if (nearest.hit >> l & 1) record_hit(query, cells, nearest, l, rays, hits, slots[l]);
-    else missed |= 1u << l;
+// The queue without its first `count` cells and without those of rays that have ended.
+void drop_cells(const WalkingRays& rays, int count, CellQueue& queue) {
+  int size = 0;
+  for (int n = count; n < queue.size; ++n) {
+    if (rays.ended[queue.slot[n]]) continue;
+    for (auto& cell : queue.cell) cell[size] = cell[n];
+    queue.tested[size] = queue.tested[n];
+    queue.slot[size++] = queue.slot[n];
   }
-  for (; missed; missed &= missed - 1) {
-    const std::uint16_t slot = slots[__builtin_ctz(missed)];
-    journey.rays.fresh[slot] = false;
-    journey.rays.queue[journey.rays.size++] = slot;
-  }
+  queue.size = size;
 }
+
+// Finds the roots of one stream's rays.
+template <class T> class Solver final : public CellSolver {
+ public:
+  Solver(const MarchField& field, const StreamKernels& kernels, const RayStream& rays, Journey& journey,
+         HitStream& hits, TraceCounts& counts)
+      : field_(field), kernels_(kernels), rays_(rays), journey_(journey), hits_(hits), counts_(counts) {}
+
+  void solve(CellQueue& queue) override {
+    const int count = std::min(queue.size, kPacketSize);
+    alignas(64) CellPacket<T> packet = {};
+    alignas(64) RootPacket<T> roots = {};
+    std::uint32_t cost[kPacketSize] = {};
+    const VolumeQuery& query = *field_.query;
+    const FoundCells<T> cells(field_, kernels_, rays_, journey_, queue, count);
+    const Nearest<T> nearest = solve_cells(query, cells, cells.crossed(), cost, packet, roots, counts_);
+    for (int l = 0; l < count; ++l) {
+      const int slot = queue.slot[l];
+      if (journey_.rays.ended[slot]) continue;
+      hits_.cost[slot] += cost[l];
+      if (nearest.unproved >> l & 1) journey_.starts.doubt[slot] = true;
+      if (!(nearest.hit >> l & 1)) continue;
+      record_hit(query, cells, nearest, l, rays_, hits_, slot);
+      journey_.rays.ended[slot] = true;
+      journey_.rays.tested[slot] = queue.tested[l];
+    }
+    drop_cells(journey_.rays, count, queue);
+  }
+
+ private:
+  const MarchField& field_;
+  const StreamKernels& kernels_;
+  const RayStream& rays_;
+  Journey& journey_;
+  HitStream& hits_;
+  TraceCounts& counts_;
+};
 
 template <class T>
 void trace(const MarchField& field, const StreamKernels& kernels, const RayStream& rays, Journey& journey,
            HitStream& hits, TraceCounts& counts) {
   WalkingRays& walking = journey.rays;
-  std::uint16_t started[kStreamSize];
-  const int count = walking.size;
-  std::copy_n(walking.queue, count, started);
-  while (walking.size > 0) {
-    kernels.march(field, walking, counts);
-    std::uint16_t found[kStreamSize];
-    const int size = walking.size;
-    std::copy_n(walking.queue, size, found);
-    walking.size = 0;
-    for (int n = 0; n < size; n += kPacketSize)
-      solve_found<T>(field, kernels, rays, found + n, std::min(kPacketSize, size - n), journey, hits, counts);
-  }
-  for (int n = 0; n < count; ++n) {
-    const std::uint16_t slot = started[n];
+  Solver<T> solver(field, kernels, rays, journey, hits, counts);
+  kernels.march(field, walking, solver, counts);
+  for (int n = 0; n < walking.size; ++n) {
+    const std::uint16_t slot = walking.queue[n];
     hits.cost[slot] += walking.tested[slot];
     if (field.query->proves && journey.starts.doubt[slot]) hits.certificate[slot] = Certificate::undecided;
   }
@@ -204,7 +227,7 @@ void trace_first_hits(const MarchField& field, const StreamKernels& kernels, con
   Journey journey;
   double t_max[kStreamSize];
   for (int i = 0; i < rays.size; ++i) t_max[i] = std::min(hits.t[i], rays.t_max[i]);
-  kernels.enter(field, rays, t_max, journey.rays);
+  kernels.enter(field, rays, t_max, nullptr, journey.rays);
   for (int n = 0; n < journey.rays.size; ++n) {
     const int i = journey.rays.queue[n];
     RayStarts& starts = journey.starts;
@@ -235,8 +258,7 @@ void trace_next_hits(const MarchField& field, const StreamKernels& kernels, cons
     starts.iso_of_hit[i] = static_cast<std::int8_t>(hits.iso[i]);
     starts.doubt[i] = false;
   }
-  kernels.enter(field, rays, t_max, journey.rays);
-  kernels.resume(rays, hits.cell, journey.rays);
+  kernels.enter(field, rays, t_max, hits.cell, journey.rays);
   trace(field, kernels, rays, journey, hits, counts);
 }
 

@@ -5,29 +5,75 @@
 
 namespace isocast {
 
-/// Rays in grid space, slot by slot as in their RayStream, each in a cell.
+/// A ray in grid space, in the cell that it enters first.
 ///
-/// inverse  1 / d; along an axis where it is not finite a ray is parallel and meets no plane
-/// cell     the ray's cell, and
-/// t_in     where it has entered it: through a plane of axis_in, or kStart where it starts there
-/// t_end    the end of the ray or of the active cells
-/// tested   cells whose bits were looked at
-/// fresh    the ray has not been in another cell before, and this one has not been looked at
-/// queue    the slots of the first `size` rays: those that are to march, or those that have found a cell
-struct alignas(64) WalkingRays {
-  double o[3][kStreamSize], d[3][kStreamSize], inverse[3][kStreamSize];
-  double cell[3][kStreamSize], t_in[kStreamSize], axis_in[kStreamSize], t_end[kStreamSize];
+/// begin, end  t_min, and the end of the ray or of the active cells
+/// inverse     1 / d; along an axis where it is not finite the ray is parallel and meets no plane
+/// cell        the ray's first cell, and
+/// t_in        where it has entered it: through a plane of axis_in, or kStart where it starts there
+struct alignas(64) WalkingRay {
+  double o[3], d[3], begin, end;
+  double inverse[3], cell[3], t_in, axis_in;
+};
+
+/// The same ray for a first look at boxes of cells (ray_look.h), relative to the origin of the bricks.
+///
+/// low, high  where it is when it enters the first cell, moved upwards and downwards by what that may be off
+///            by
+/// inverse    1 / d, in a unit of t that makes the least of them 1
+/// end        in that unit, from the first cell on
+struct alignas(64) RayLook {
+  double low[3], high[3];
+  float inverse[3], end;
+};
+
+/// Slot by slot as in their RayStream.
+///
+/// tested  cells and blocks that were looked at, up to the hit or to the end
+/// ended   the ray has met its root
+/// queue   the slots of the `size` rays that are to march
+struct WalkingRays {
+  WalkingRay ray[kStreamSize];
+  RayLook look[kStreamSize];
   std::uint32_t tested[kStreamSize];
-  bool fresh[kStreamSize];
+  bool ended[kStreamSize];
   std::uint16_t queue[kStreamSize];
   int size;
 };
 
-/// The chords of up to 16 rays in their cells, in the cells' own coordinates (point_in_cell, traverse.h).
-struct alignas(64) CellChords {
-  double entry[3][kPacketSize], exit[3][kPacketSize], t_in[kPacketSize], t_out[kPacketSize];
-  int axis_in[kPacketSize];
-  std::int32_t cell[kPacketSize][3];
+/// Active cells that rays seem to cross, those of each ray in its order, until there are enough to be solved
+/// together. A ray marches on while its cells wait.
+///
+/// slot    of the ray
+/// cell    its first corner
+/// tested  of the ray, up to this cell
+struct alignas(64) CellQueue {
+  static constexpr int kRoom = kPacketSize + 64;  // a ray adds those of a block to less than a packet
+  std::int32_t cell[3][kRoom], slot[kRoom];
+  std::uint32_t tested[kRoom];
+  int size;
+};
+
+/// Solves cells that wait.
+class CellSolver {
+ public:
+  /// Takes the first kPacketSize cells out of the queue, or all; a ray whose cell holds its root is `ended`,
+  /// and none of its other cells is left there.
+  virtual void solve(CellQueue& queue) = 0;
+
+ protected:
+  ~CellSolver() = default;
+};
+
+/// The chords of up to 16 rays in the cells of a queue, in the cells' own coordinates (point_in_cell,
+/// traverse.h).
+///
+/// crossed  bits: the ray does cross the cell, as the walk has it
+/// first    bits: it is the ray's first one
+template <class T> struct alignas(64) CellChords {
+  T entry[3][kPacketSize], exit[3][kPacketSize];
+  double t_in[kPacketSize], t_out[kPacketSize], axis_in[kPacketSize];
+  std::uint32_t crossed, first;
 };
 
 }  // namespace isocast
