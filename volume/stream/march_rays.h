@@ -47,8 +47,8 @@ inline std::uint64_t next_block(const MarchField& field, const WalkingRays& rays
     std::uint64_t& rest = visit.rest[visit.level];
     const int number = __builtin_ctzll(rest) ^ visit.flip, shift = shift_of_part(visit.level);
     rest &= rest - 1;
-    for (int a = 0; a < 3; ++a)
-      visit.at[a] = (visit.at[a] >> (shift + 2) << (shift + 2)) + (place_in_cube(number, a) << shift);
+    each_index<3>(
+        [&](auto a) { visit.at[a] = (visit.at[a] & (-4 << shift)) + (place_in_cube(number, a) << shift); });
     ++tested;
     if (visit.level == 0) return visit.mask->cells[number];
     std::uint64_t parts;
@@ -71,8 +71,8 @@ inline void queue_cells(const MarchField& field, const RayVisit& visit, std::uin
                         std::uint32_t& tested, CellQueue& queue) {
   for (cells = flipped(cells, visit.flip); cells; cells &= cells - 1) {
     const int number = __builtin_ctzll(cells) ^ visit.flip, n = queue.size++;
-    for (int a = 0; a < 3; ++a)
-      queue.cell[a][n] = field.bricks.origin[a] + visit.at[a] + place_in_cube(number, a);
+    each_index<3>(
+        [&](auto a) { queue.cell[a][n] = field.bricks.origin[a] + visit.at[a] + place_in_cube(number, a); });
     queue.slot[n] = visit.slot;
     queue.tested[n] = ++tested;
   }
@@ -81,7 +81,7 @@ inline void queue_cells(const MarchField& field, const RayVisit& visit, std::uin
 /// Marches the queued rays until each has met its root or is at its end.
 template <Real R>
 void march_rays(const MarchField& field, WalkingRays& rays, CellSolver& solver, TraceCounts& counts) {
-  constexpr int kRays = 32;  // by turns, block by block: while the cells of one wait, others add theirs
+  constexpr int kRays = 64;  // by turns, block by block: while the cells of one wait, others add theirs
   RayVisit visits[kRays];
   std::uint64_t cells[kRays];
   CellQueue queue;

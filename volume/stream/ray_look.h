@@ -1,6 +1,7 @@
 // A first look at the 4^3 boxes of a cube: which of them a ray may cross.
 #pragma once
 
+#include <isocast/math/lanes.h>
 #include <isocast/math/pack.h>
 #include <isocast/volume/stream/walking_rays.h>
 
@@ -50,7 +51,7 @@ inline std::uint64_t look_at_boxes<Pack<float, 16>>(const RayLook& look, const s
   const __m512d row = _mm512_load_pd(look.low);
   const double step = size;
   const __m512d steps = _mm512_mul_pd(_mm512_set_pd(3, 2, 1, 0, 3, 2, 1, 0), _mm512_set1_pd(step)),
-                xy = _mm512_insertf64x4(_mm512_set1_pd(corner[0]), _mm256_set1_pd(corner[1]), 1),
+                xy = _mm512_maskz_insertf64x4(0xff, _mm512_set1_pd(corner[0]), _mm256_set1_pd(corner[1]), 1),
                 first = _mm512_add_pd(xy, steps), last = _mm512_add_pd(_mm512_set1_pd(corner[2]), steps),
                 edge = _mm512_set1_pd(step);
   // four lanes an axis; those of z twice
@@ -68,15 +69,19 @@ inline std::uint64_t look_at_boxes<Pack<float, 16>>(const RayLook& look, const s
           low = floats(first - of(0, 1), last - of(2, 2)) * inverse,
           high = floats(first + edge - of(3, 4), last + edge - of(5, 5)) * inverse, near = min(low, high),
           behind = max(low, high), far = behind + abs(behind) * R(kLookSlack) + R(kLookTiny);
-  const __m512i by_x = _mm512_set_epi32(3, 2, 1, 0, 3, 2, 1, 0, 3, 2, 1, 0, 3, 2, 1, 0),
-                by_y = _mm512_set_epi32(7, 7, 7, 7, 6, 6, 6, 6, 5, 5, 5, 5, 4, 4, 4, 4);
-  const R enters = max(max(pick(near, by_x), pick(near, by_y)), R(0)),
-          leaves = min(min(pick(far, by_x), pick(far, by_y)), end);
+  // the four numbers of an axis to every row of four; then one of them to all lanes of its row
+  const auto spread = [](R v, auto axis) {
+    return R(_mm512_maskz_shuffle_f32x4(0xffff, v.v, v.v, axis * 0x55));
+  };
+  const auto repeat = [](R v, auto i) { return R(_mm512_maskz_permute_ps(0xffff, v.v, i * 0x55)); };
+  const __m512i by_y = _mm512_set_epi32(7, 7, 7, 7, 6, 6, 6, 6, 5, 5, 5, 5, 4, 4, 4, 4);
+  const R enters = max(max(spread(near, Index<0>{}), pick(near, by_y)), R(0)),
+          leaves = min(min(spread(far, Index<0>{}), pick(far, by_y)), end), near_z = spread(near, Index<2>{}),
+          far_z = spread(far, Index<2>{});
   std::uint64_t bits = 0;
-  for (int z = 0; z < 4; ++z) {
-    const __m512i lanes = _mm512_set1_epi32(8 + z);
-    bits |= std::uint64_t(bits_of(max(enters, pick(near, lanes)) <= min(leaves, pick(far, lanes)))) << 16 * z;
-  }
+  each_index<4>([&](auto i) {
+    bits |= std::uint64_t(bits_of(max(enters, repeat(near_z, i)) <= min(leaves, repeat(far_z, i)))) << 16 * i;
+  });
   return bits;
 }
 #endif
