@@ -32,7 +32,8 @@ TEST_CASE("dense grids: every ray has the hits of the walk", "[property]") {
              plane = make_volume(kDims, SampleType::i16, flat),
              holes = with_holes(make_volume(kDims, SampleType::f32, wavy)),
              wide = make_volume(kDims, SampleType::f64, wavy),
-             thin = make_volume({2, 300, 3}, SampleType::u8, rough);
+             thin = make_volume({2, 300, 3}, SampleType::u8, rough),
+             tall = make_volume({30, 25, 700}, SampleType::u8, wavy);  // three levels of cubes of bricks
   struct Case {
     std::shared_ptr<Volume> volume;
     std::vector<double> iso;
@@ -53,7 +54,8 @@ TEST_CASE("dense grids: every ray has the hits of the walk", "[property]") {
       {holes, {41}, "marmitt"},
       {holes, {41}, "certified"},
       {wide, {41}, "schwarze", true},
-      {thin, {63.5}, "marmitt"}};
+      {thin, {63.5}, "marmitt"},
+      {tall, {41}, "marmitt"}};
   std::int64_t hits = 0;
   const std::int64_t rounds = test::cases(1300, 130000);
   for (std::int64_t round = 0; round < rounds; ++round) {
