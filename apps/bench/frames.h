@@ -1,6 +1,7 @@
 // Frames of volumes: what a picture of growing volumes costs, stage by stage.
 #pragma once
 
+#include <isocast/apps/bench/markup.h>
 #include <isocast/apps/bench/rows.h>
 
 #include <string>
@@ -37,8 +38,8 @@ struct FrameTimes {
 /// Test volumes of every size, as f32 and u8, from outside, close up and from inside.
 [[nodiscard]] std::vector<FrameTimes> run_frames(const FrameOptions& options);
 
-/// Five rows a frame: method "object order", "new iso-value", "streams", "walk" or "with shadows", setting the
-/// camera.
+/// Five rows a frame: method "object order", "new iso-value", "streams", "walk" or "with shadows", setting
+/// the camera.
 [[nodiscard]] std::vector<Row> rows_of(const std::vector<FrameTimes>& frames);
 /// A line per frame, and a header.
 [[nodiscard]] std::string frames_csv(const std::vector<FrameTimes>& frames);
@@ -47,5 +48,7 @@ struct FrameTimes {
 /// Time per ray over samples along an edge, a line per volume: seen from outside, as bytes, which all sizes
 /// have.
 [[nodiscard]] std::string frames_plot(const std::vector<FrameTimes>& frames);
+/// The plot and a table of all stages as a part of report.html.
+void add_frames(Markup& html, const std::vector<FrameTimes>& frames);
 
 }  // namespace isocast::bench

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <isocast/apps/bench/frames.h>
 #include <isocast/apps/bench/plot.h>
+#include <isocast/apps/bench/report_table.h>
 #include <isocast/isa/cpu.h>
 
 #include <algorithm>
@@ -12,6 +13,11 @@ constexpr double kWidth = 460, kHeight = 360, kLeft = 62, kRight = 340, kTop = 1
 
 bool is_plotted(const FrameTimes& frame) { return frame.camera == "outside" && frame.type == "u8"; }
 double per_ray(const FrameTimes& frame) { return frame.frame / static_cast<double>(frame.rays); }
+
+// What finding the cells takes, beside solving them.
+double cells_of(const FrameTimes& f) {
+  return std::max((f.in_object_order ? f.hits : f.streams) - f.solves, 0.0);
+}
 
 Row row_of(const FrameTimes& frame, const char* way, double seconds) {
   Row row;
@@ -49,15 +55,13 @@ std::string frames_csv(const std::vector<FrameTimes>& frames) {
       "ms_binning,ms_cells,ms_solves,mrays_per_s,walk_over_frame,new_iso_over_frame,frame_over_solves,shadow_"
       "rays\n";
   for (const FrameTimes& f : frames) {
-    const double hits = f.in_object_order ? f.hits : f.streams;
     text += fmt::format(
         "{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.2f},{:."
         "2f},{:.2f},{:.2f},{}\n",
         f.volume, f.samples, f.type, f.camera, int(f.in_object_order), f.rays, f.hit_rays, f.cells, f.solved,
         1e3 * f.frame, 1e3 * f.moving, 1e3 * f.streams, 1e3 * f.walk, 1e3 * f.shadows, 1e3 * f.masks(),
-        1e3 * f.binning, 1e3 * std::max(hits - f.solves, 0.0), 1e3 * f.solves,
-        1e-6 * double(f.rays) / f.frame, f.walk / f.frame, f.moving / f.frame, f.frame / f.solves,
-        f.shadow_rays);
+        1e3 * f.binning, 1e3 * cells_of(f), 1e3 * f.solves, 1e-6 * double(f.rays) / f.frame, f.walk / f.frame,
+        f.moving / f.frame, f.frame / f.solves, f.shadow_rays);
   }
   return text;
 }
@@ -108,6 +112,29 @@ std::string frames_plot(const std::vector<FrameTimes>& frames) {
     plot.text(kRight + 26, kTop + 14 + 18 * double(v), "key", volumes[v]);
   }
   return plot.finish();
+}
+
+void add_frames(Markup& html, const std::vector<FrameTimes>& frames) {
+  html.element("h2", {{"id", "frames"}}, "frames of growing volumes");
+  html.element("p", {{"class", "soft"}},
+               "Whole pictures with shading on one thread. Stages in milliseconds: making the masks of an "
+               "iso-value, binning bricks, finding cells, and what their solves alone would take; then how "
+               "many times as long as the frame other ways take.");
+  html.open("div", {{"class", "card"}}).open("div", {{"class", "plots"}});
+  html.open("div").append(frames_plot(frames)).close().close().close();
+  const auto times = [](double ratio) { return fmt::format("{:.2f}x", ratio); };
+  const auto ms = [](double seconds) { return fmt::format("{:.2f}", 1e3 * seconds); };
+  std::vector<std::vector<std::string>> rows;
+  for (const FrameTimes& f : frames)
+    rows.push_back({fmt::format("{} {} {}, {}{}", f.volume, f.samples, f.type, f.camera,
+                                f.in_object_order ? "" : " (by streams)"),
+                    fmt::format("{:.1f}", 1e-6 * double(f.rays) / f.frame), ms(f.masks()), ms(f.binning),
+                    ms(cells_of(f)), ms(f.solves), times(f.frame / f.solves), times(f.moving / f.frame),
+                    times(f.streams / f.frame), times(f.walk / f.frame), times(f.shadows / f.frame)});
+  add_text_table(html,
+                 {"frame", "Mrays/s", "masks", "binning", "cells", "solves", "frame over solves",
+                  "new iso-value", "by streams", "by the walk", "with shadows"},
+                 rows);
 }
 
 }  // namespace isocast::bench

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <isocast/apps/bench/claims.h>
 #include <isocast/apps/bench/papers.h>
+#include <isocast/apps/bench/report_table.h>
 #include <isocast/base/progress.h>
 
 namespace isocast::bench {
@@ -24,21 +25,6 @@ void add_claims(Markup& html, const Paper& paper) {
     html.open("td").element("span", {{"class", std::string(class_of(claim.outcome))}},
                             word_of(claim.outcome));
     html.close().element("td", {{"class", "soft"}}, claim.expected).element("td", {}, claim.found).close();
-  }
-  html.close().close();
-}
-
-void add_table(Markup& html, const PaperTable& table) {
-  html.element("h3", {}, table.id + ": " + table.title);
-  html.open("div", {{"class", "card scroll"}}).open("table").open("tr");
-  const auto kind = [](std::size_t column) -> std::string { return column == 0 ? "name" : "number"; };
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    html.element("th", {{"class", kind(c)}}, table.columns[c]);
-  html.close();
-  for (const std::vector<std::string>& row : table.rows) {
-    html.open("tr");
-    for (std::size_t c = 0; c < row.size(); ++c) html.element("td", {{"class", kind(c)}}, row[c]);
-    html.close();
   }
   html.close().close();
 }
@@ -71,7 +57,10 @@ void add_papers(Markup& html, const std::vector<Paper>& papers) {
     html.element("h2", {}, paper.source);
     for (const std::string& note : paper.notes) html.element("p", {{"class", "soft"}}, note);
     add_claims(html, paper);
-    for (const PaperTable& table : paper.tables) add_table(html, table);
+    for (const PaperTable& table : paper.tables) {
+      html.element("h3", {}, table.id + ": " + table.title);
+      add_text_table(html, table.columns, table.rows);
+    }
   }
 }
 

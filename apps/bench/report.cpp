@@ -45,8 +45,11 @@ std::string contents_of(const Report& report) {
   const auto count = [](std::size_t n, const char* what) {
     return n == 0 ? std::string() : fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
   };
-  const std::string cases = count(report.cases.size(), "case"), papers = count(report.papers.size(), "paper");
-  return cases + (cases.empty() || papers.empty() ? "" : ", ") + papers;
+  std::string contents;
+  for (const std::string& part : {count(report.cases.size(), "case"), count(report.frames.size(), "frame"),
+                                  count(report.papers.size(), "paper")})
+    contents += (contents.empty() || part.empty() ? "" : ", ") + part;
+  return contents;
 }
 
 void add_findings(Markup& html, const Report& report) {
@@ -198,6 +201,7 @@ std::string html_of(const Report& report) {
   html.open("main");
   if (!report.cases.empty()) add_overview(html, report);
   for (const ReportCase& one : report.cases) add_case(html, one);
+  if (!report.frames.empty()) add_frames(html, report.frames);
   add_papers(html, report.papers);
   html.close();
   add_reading(html, report);
@@ -211,6 +215,7 @@ void write_report(const std::filesystem::path& folder, const Report& report) {
     if (!one.rows.conditions.empty())
       write_text_file(folder / (slug + "_condition.svg"), condition_of(one.rows));
   }
+  if (!report.frames.empty()) write_text_file(folder / "frames.svg", frames_plot(report.frames));
   write_text_file(folder / "report.html", html_of(report));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <isocast/apps/bench/case_finding.h>
+#include <isocast/apps/bench/frames.h>
 #include <isocast/apps/bench/paper.h>
 #include <isocast/apps/bench/rows.h>
 
@@ -25,7 +26,8 @@ struct ReportCase {
   std::vector<ReportPicture> pictures;
 };
 
-/// papers  with their tables and claims, behind the cases
+/// frames  of growing volumes, behind the cases
+/// papers  with their tables and claims, behind these
 /// notes   sentences about how it was measured
 struct Report {
   std::string title;
@@ -33,6 +35,7 @@ struct Report {
   std::vector<ReportCase> cases;
   std::vector<std::string> notes;
   std::vector<Paper> papers = {};
+  std::vector<FrameTimes> frames = {};
 };
 
 /// A case without pictures for each name in some rows, in their order.
@@ -41,7 +44,8 @@ struct Report {
 /// A document that refers to nothing outside itself and opens without a network.
 [[nodiscard]] std::string html_of(const Report& report);
 
-/// report.html, and the plots as SUITE_CASE.svg and SUITE_CASE_condition.svg, in a prepared folder.
+/// report.html, and the plots as SUITE_CASE.svg, SUITE_CASE_condition.svg and frames.svg, in a prepared
+/// folder.
 void write_report(const std::filesystem::path& folder, const Report& report);
 
 }  // namespace isocast::bench

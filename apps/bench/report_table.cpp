@@ -50,6 +50,20 @@ void add_method(Markup& html, const std::vector<std::string>& methods, const std
       .text(method + " ");
 }
 
+void add_text_table(Markup& html, const std::vector<std::string>& columns,
+                    const std::vector<std::vector<std::string>>& rows) {
+  const auto kind = [](std::size_t column) -> std::string { return column == 0 ? "name" : "number"; };
+  html.open("div", {{"class", "card scroll"}}).open("table").open("tr");
+  for (std::size_t c = 0; c < columns.size(); ++c) html.element("th", {{"class", kind(c)}}, columns[c]);
+  html.close();
+  for (const std::vector<std::string>& row : rows) {
+    html.open("tr");
+    for (std::size_t c = 0; c < row.size(); ++c) html.element("td", {{"class", kind(c)}}, row[c]);
+    html.close();
+  }
+  html.close().close();
+}
+
 void add_tables(Markup& html, const CaseRows& rows) {
   std::vector<const Row*> chosen, all;
   for (const Row& row : rows.rows) {

@@ -71,16 +71,14 @@ void bench_evaluate(const BenchWords& words, Findings& all) {
   all.text += evaluate_summary(all.rows);
 }
 
-// Frames of volumes: tables and a plot of their own beside the rows.
+// Frames of volumes: a table of their own beside the rows.
 void bench_frames(const BenchWords& words, Findings& all) {
   FrameOptions options;
   if (words.quick) options = {{32, 64}, 256, 2};
   else if (nightly()) options.sizes.push_back(1024);
-  const std::vector<FrameTimes> frames = run_frames(options);
+  const std::vector<FrameTimes>& frames = all.report.frames = run_frames(options);
   all.add(rows_of(frames));
-  const std::filesystem::path folder = words.folder;
-  write_text_file(folder / "frames.csv", frames_csv(frames));
-  write_text_file(folder / "frames.svg", frames_plot(frames));
+  write_text_file(std::filesystem::path(words.folder) / "frames.csv", frames_csv(frames));
   all.text += frames_summary(frames);
 }
 
@@ -124,7 +122,8 @@ void run(const BenchWords& words) {
   report.title = fmt::format("isocast bench {}", input.empty() ? "surfaces, volumes" : input);
   report.provenance = provenance();
   write_results(words.folder, all.rows, report.provenance);
-  if (!report.cases.empty() || !report.papers.empty()) write_report(words.folder, report);
+  if (!report.cases.empty() || !report.frames.empty() || !report.papers.empty())
+    write_report(words.folder, report);
   fmt::print("{}", all.text);
   if (!as_expected) throw CLI::RuntimeError(1);
 }

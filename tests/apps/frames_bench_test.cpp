@@ -30,4 +30,9 @@ TEST_CASE("frames: every volume, type and camera, with times and counts") {
   CHECK(std::ranges::count(csv, '\n') == 61);
   CHECK(isocast::test::is_well_formed(frames_plot(frames)));
   CHECK(frames_plot(frames).find("marschner_lobb") != std::string::npos);
+  Markup html;
+  add_frames(html.open("div"), frames);
+  const std::string section = html.finish();
+  CHECK(isocast::test::is_well_formed(section));
+  CHECK(section.find("noise 24 u8, inside") != std::string::npos);
 }
