@@ -9,7 +9,7 @@
 namespace isocast::bench {
 namespace {
 
-constexpr double kWidth = 460, kHeight = 360, kLeft = 62, kRight = 340, kTop = 16, kBottom = 310;
+constexpr double kWidth = 490, kHeight = 360, kLeft = 62, kRight = 340, kTop = 16, kBottom = 310;
 
 bool is_plotted(const FrameTimes& frame) { return frame.camera == "outside" && frame.type == "u8"; }
 double per_ray(const FrameTimes& frame) { return frame.frame / static_cast<double>(frame.rays); }
