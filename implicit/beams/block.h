@@ -12,8 +12,9 @@ inline constexpr int kPacketSide = 4;
 
 /// Place of pixel (x, y) of a block among its pixels: tile by tile, in each packet by packet, so that a tile
 /// is a stream and a packet sixteen slots in a row.
-constexpr int pixel_slot(int x, int y) {
-  return (y / 16 * (kBlockSide / 16) + x / 16) * 256 + (y % 16 / 4 * 4 + x % 16 / 4) * 16 + y % 4 * 4 + x % 4;
+constexpr int pixel_slot(unsigned x, unsigned y) {
+  return static_cast<int>((y / 16 * (kBlockSide / 16) + x / 16) * 256 + (y % 16 / 4 * 4 + x % 16 / 4) * 16 +
+                          y % 4 * 4 + x % 4);
 }
 
 constexpr int slot_x(int slot) {

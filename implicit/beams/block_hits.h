@@ -6,10 +6,6 @@
 
 namespace isocast::inline ISO_ISA {
 
-template <class T> ISO_HD inline int crossed_iso(const PixelRoots<T>& roots, int slot) {
-  return static_cast<int>(abs(roots.side[slot])) - 1;
-}
-
 /// The best guesses at the roots of a tile whose brackets begin in `range`: steps of the secant method in
 /// plain arithmetic, from the middle of the bracket and the slope that the form had, kept in the bracket.
 /// Proves nothing and changes no proof. `registers` has room for kSlots / kWidth<R> of R a register.
@@ -48,16 +44,30 @@ ISO_HD inline void polish_tile(const FormulaQuery<Scalar<R>>& query, const Block
   }
 }
 
-/// Bit i: f < iso i in front of the root in a slot.
+/// Bit i: f < iso i in front of a root where f rises through iso-value `crossed`, or falls.
 template <class T>
-ISO_HD inline std::uint32_t sides_in_front(const FormulaQuery<T>& query, const PixelRoots<T>& roots,
-                                           int slot) {
-  const int crossed = crossed_iso(roots, slot);
-  std::uint32_t sides = std::uint32_t(roots.side[slot] > T(0)) << crossed;
+ISO_HD inline std::uint32_t sides_in_front(const FormulaQuery<T>& query, int crossed, bool rises) {
+  std::uint32_t sides = std::uint32_t(rises) << crossed;
   for (int i = 0; i < query.iso_count; ++i)
     if (i != crossed) sides |= std::uint32_t(query.iso_lo[crossed] < query.iso_lo[i]) << i;
   return sides;
 }
+
+/// As many numbers as R has lanes.
+template <Real R, class T> ISO_HD inline R widened(const T* values) {
+  Scalar<R> y[kWidth<R>];
+  for (int l = 0; l < kWidth<R>; ++l) y[l] = values[l];
+  return load<R>(y);
+}
+
+/// Places of a tile's slots among its pixels.
+struct TilePixels {
+  alignas(64) double x[kStreamSize] = {}, y[kStreamSize] = {};
+  constexpr TilePixels() {
+    for (int i = 0; i < kStreamSize; ++i) x[i] = slot_x(i), y[i] = slot_y(i);
+  }
+};
+inline constexpr TilePixels kTilePixels;
 
 /// Puts the roots of a tile where hits holds none that are nearer; those of rays that
 /// are unclear before them are left out.
@@ -66,24 +76,26 @@ ISO_HD inline void write_tile(const FormulaQuery<T>& query, const BlockRays<T>& 
                               const PixelRoots<T>& roots, int tile, std::uint16_t object,
                               Certificate certificate, HitStream& hits) {
   static_assert(__is_same(Scalar<R>, double));
-  const int slot = tile * kStreamSize;
+  std::uint32_t sides[kMostIsos][2];
+  for (int i = 0; i < query.iso_count; ++i)
+    for (int rises = 0; rises < 2; ++rises) sides[i][rises] = sides_in_front(query, i, rises != 0);
+  const int first = tile * kStreamSize;
+  const R u = R(slot_x(first) - 0.5 * (kBlockSide - 1)), v = R(slot_y(first) - 0.5 * (kBlockSide - 1));
   for (int i = 0; i < kStreamSize; i += kWidth<R>) {
-    double at_u[kWidth<R>], at_v[kWidth<R>], t[kWidth<R>], lo[kWidth<R>], hi[kWidth<R>], unclear[kWidth<R>];
-    for (int l = 0; l < kWidth<R>; ++l) {
-      const int s = slot + i + l;
-      at_u[l] = slot_x(s) - 0.5 * (kBlockSide - 1), at_v[l] = slot_y(s) - 0.5 * (kBlockSide - 1);
-      t[l] = roots.t[s], lo[l] = roots.lo[s], hi[l] = roots.hi[s], unclear[l] = roots.unclear[s];
-    }
-    const Mask<R> found = (abs(load<R>(lo)) < R(kInfinity<double>)) & !(load<R>(unclear) < load<R>(lo));
+    const int slot = first + i;
+    const R lo = widened<R>(roots.lo + slot);
+    const Mask<R> found = (abs(lo) < R(kInfinity<double>)) & !(widened<R>(roots.unclear + slot) < lo);
     if (!any(found)) continue;
+    const R at_u = u + load<R>(kTilePixels.x + i), at_v = v + load<R>(kTilePixels.y + i);
     R squared = R(0);
     for (int a = 0; a < 3; ++a) {
-      const R d = R(rays.exact[a]) + load<R>(at_u) * R(rays.exact_u[a]) + load<R>(at_v) * R(rays.exact_v[a]);
+      const R d = R(rays.exact[a]) + at_u * R(rays.exact_u[a]) + at_v * R(rays.exact_v[a]);
       squared = squared + d * d;
     }
     const R per_depth = sqrt(squared), rounding = R(0x1p-49);
-    const auto distance = [&](const double* depth) { return (R(rays.depth) + load<R>(depth)) * per_depth; };
-    const R distance_t = distance(t), distance_lo = distance(lo), distance_hi = distance(hi);
+    const auto distance = [&](R depth) { return (R(rays.depth) + depth) * per_depth; };
+    const R distance_t = distance(widened<R>(roots.t + slot)), distance_lo = distance(lo),
+            distance_hi = distance(widened<R>(roots.hi + slot));
     const R slack = rounding * (abs(distance_hi) + abs(distance_lo) + abs(R(rays.depth)) * per_depth);
     const Mask<R> nearer = found & (distance_t < load<R>(hits.t + i));
     const auto put = [&](double* values, R value) {
@@ -93,8 +105,10 @@ ISO_HD inline void write_tile(const FormulaQuery<T>& query, const BlockRays<T>& 
     put(hits.t_lo, distance_lo - slack), put(hits.t_hi, distance_hi + slack);
     for (unsigned rest = bits_of(nearer); rest; rest &= rest - 1) {
       const int k = i + __builtin_ctz(rest);
-      hits.iso[k] = static_cast<std::uint8_t>(crossed_iso(roots, slot + k));
-      hits.sides[k] = sides_in_front(query, roots, slot + k);
+      const T side = roots.side[first + k];
+      const int crossed = static_cast<int>(abs(side)) - 1;
+      hits.iso[k] = static_cast<std::uint8_t>(crossed);
+      hits.sides[k] = sides[crossed][side > T(0)];
       hits.object[k] = object;
       hits.certificate[k] = certificate;
     }

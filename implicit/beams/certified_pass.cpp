@@ -5,10 +5,20 @@
 #include <isocast/math/rounding.h>
 #include <isocast/render/camera.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace isocast {
+namespace {
+
+// Whether it holds for a slot of a tile; all are asked, side by side.
+template <class Holds> bool any_slot(Holds holds) {
+  bool found = false;
+  for (int i = 0; i < kStreamSize; ++i) found |= holds(i);
+  return found;
+}
+
+}  // namespace
+
 template <class T>
 void CertifiedPass<T>::first_hits(int bx, int by, double offset_u, double offset_v, BlockHits& hits,
                                   TraceCounts& counts) const {
@@ -31,7 +41,7 @@ void CertifiedPass<T>::first_hits(int bx, int by, double offset_u, double offset
   counts.evaluations += roots.evaluations;
   for (int tile = 0; tile < kBlockStreams; ++tile) {
     const T* const lo = roots.lo + tile * kStreamSize;
-    if (std::none_of(lo, lo + kStreamSize, [](T depth) { return std::abs(depth) < kInfinity<T>; })) continue;
+    if (!any_slot([lo](int i) { return std::abs(lo[i]) < kInfinity<T>; })) continue;
     const int x = tile % kBlockTiles, y = tile / kBlockTiles;
     HitStream& found = hits.tile(x, y);
     kernels.write(this->query_, rays, roots, tile, this->inputs_.object, Certificate::proved_hit, found);
@@ -47,8 +57,9 @@ void CertifiedPass<T>::solve_open_rays(int bx, int by, double offset_u, double o
   OpenRays& open = OpenRays::of_thread(this->inputs_.surface);
   for (int tile = 0; tile < kBlockStreams; ++tile) {
     if (hits.unwanted()) return;
-    const int x = tile % kBlockTiles, y = tile / kBlockTiles;
     const T *const lo = roots.lo + tile * kStreamSize, *const unclear = roots.unclear + tile * kStreamSize;
+    if (!any_slot([&](int i) { return unclear[i] < lo[i]; })) continue;
+    const int x = tile % kBlockTiles, y = tile / kBlockTiles;
     open.begin(this->view_, bx * kBlockTiles + x, by * kBlockTiles + y, offset_u, offset_v, hits.tile(x, y));
     for (int i = 0; i < kStreamSize; ++i) {
       if (!(unclear[i] < lo[i])) continue;

@@ -10,7 +10,7 @@ namespace {
 
 // Tapes of so few instructions are not pruned further.
 constexpr std::size_t kShort = 24;
-constexpr int kSmallestSquare = 32, kMostLevels = 6;
+constexpr int kMostLevels = 8;
 
 }  // namespace
 

@@ -56,21 +56,29 @@ template <class T> struct Inspection {
     return a.made.op == Op::constant && a.constant.exact && is_small_integer(a.constant.value);
   }
 
-  void add(const Instruction& i, const Instruction& made, const Interval<T>& range, bool sure,
-           TapeConstant constant = {}) {
-    values[count] = {made, constant, range, sure && is_sure(range), kInfinity<T>, -kInfinity<T>, count, 0, 0};
+  // Field by field and in place: to copy what was written in parts just before stalls.
+  [[gnu::always_inline]] Value& add(const Instruction& i, const Interval<T>& range, bool sure) {
+    Value& v = values[count];
+    v.made = i;
+    v.range.lo = range.lo, v.range.hi = range.hi;
+    v.range.defined = range.defined, v.range.continuous = range.continuous, v.range.empty = range.empty;
+    v.sure = sure && is_sure(range);
+    v.lo = kInfinity<T>, v.hi = -kInfinity<T>;
+    v.same = count;
+    v.last = v.held = 0;
     writers[i.out] = count++;
+    return v;
   }
-  void add_operation(const Instruction& i, const Interval<T>& range, bool sure) {
-    Instruction made = i;
+  [[gnu::always_inline]] void add_operation(const Instruction& i, const Interval<T>& range, bool sure) {
     const int operands = operand_count(i.op);
-    if (operands >= 1) made.a = place(i.a);
-    if (operands >= 2) made.b = place(i.b);
-    if (operands >= 3) made.c = place(i.c);
-    add(i, made, with_errors(i, range), sure);
+    std::uint32_t operand[3] = {i.a, i.b, i.c};
+    for (int k = 0; k < operands; ++k) operand[k] = place(operand[k]);
+    Instruction& made = add(i, with_errors(i, range), sure).made;
+    made.a = operand[0], made.b = operand[1], made.c = operand[2];
   }
   void add_number(const Instruction& i, double number) {
-    add(i, {Op::constant, 0, 0, 0, 0, 0}, Interval<T>(T(number)), true, {number, true});
+    Value& v = add({Op::constant, i.out, 0, 0, 0, 0}, Interval<T>(T(number)), true);
+    v.constant = {number, true};
   }
   void add_same(const Instruction& i, std::uint32_t reg) { writers[i.out] = place(reg); }
 
@@ -83,9 +91,9 @@ template <class T> struct Inspection {
 
   void constant(const Instruction& i) {
     const TapeConstant c = constants[i.a];
-    add(i, i, enclosed<T>(c.value, c.exact), true, c);
+    add(i, enclosed<T>(c.value, c.exact), true).constant = c;
   }
-  void variable(const Instruction& i) { add(i, i, inputs[i.a], true); }
+  void variable(const Instruction& i) { add(i, inputs[i.a], true); }
 
   template <class F> void unary(const Instruction& i, F f) {
     const Value& a = at(i.a);

@@ -29,6 +29,11 @@ template <Real R> inline Mask<R> is_empty(Bezier<R> rest, R margin, Mask<R> acti
 template <Real R> struct ProvedRoot {
   R s, lo, hi;
   Mask<R> proved;
+
+  void replace(Mask<R> lanes, const ProvedRoot& other) {
+    s = select(lanes, other.s, s), lo = select(lanes, other.lo, lo), hi = select(lanes, other.hi, hi);
+    proved = select(lanes, other.proved, proved);
+  }
 };
 
 /// s  a root that a finder reported within eps

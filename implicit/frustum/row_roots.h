@@ -44,6 +44,7 @@ inline FirstRoot<R> find_first(const Bezier<R>& p, const FinderOptions& options,
 /// active    the ray is there
 /// before    the sign in front of 0: 1 for f >= iso, -1 for f < iso, 0 unknown; behind: that behind 1
 /// proves    whether proofs are wanted
+/// guessed   the roots hold guesses: a hit may be one that can be proved without being searched for
 template <class T> struct RowPolynomials {
   int degree;
   T c[kMostFormDegree + 1][kRow];
@@ -51,7 +52,7 @@ template <class T> struct RowPolynomials {
   bool active[kRow];
   signed char before[kRow], behind[kRow];
   T margin[kRow];
-  bool proves;
+  bool proves, guessed = false;
 };
 
 /// s with the bracket lo, hi; negative: f < iso in front of it. proved: the hit, or that there is none.
@@ -91,8 +92,6 @@ inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& 
         load<R>(row.margin + first) * R(T(1.0001)) + R(T(11 * row.degree + 8) * kUnitRoundoff<T>) * size;
     const Mask<R> active = lanes_where<R>(all);
     const Mask<R> start = negative(p.c[0]);
-    FirstRoot<R> found = find_first(p, options, eps, active);
-
     // signs that roundings at the ends have hidden
     T before[kWidth<R>], behind[kWidth<R>];
     for (int l = 0; l < kWidth<R>; ++l) before[l] = row.before[first + l], behind[l] = row.behind[first + l];
@@ -100,27 +99,33 @@ inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& 
     const Mask<R> known = sign_before != R(0);
     const Mask<R> at_start =
         active & ((known & (negative(sign_before) != start)) | ((!known) & (p.c[0] == R(0))));
-    const Mask<R> at_end = (active & !(found.hit | at_start)) & (sign_behind != R(0)) &
+
+    ProvedRoot<R> root = {R(0), R(0), R(0), Mask<R>(false)};
+    if (row.proves && row.guessed) {
+      T guesses[kWidth<R>];
+      for (int l = 0; l < kWidth<R>; ++l) guesses[l] = T(roots.s[first + l]);
+      const Mask<R> tried = active & lanes_where<R>(roots.hit + first) & !at_start;
+      if (any(tried)) root = prove_root(p, load<R>(guesses), eps, margin, tried);
+    }
+    const Mask<R> told = root.proved, sought = active & !told;
+    const FirstRoot<R> found = any(sought) ? find_first(p, options, eps, sought) : FirstRoot<R>{};
+    const Mask<R> at_end = (sought & !(found.hit | at_start)) & (sign_behind != R(0)) &
                            (negative(sign_behind) != negative(p.c[p.degree]));
     const Mask<R> inside = found.hit & !at_start;
     R s = select(at_start, R(0), select(at_end, R(1), found.s)), lo = max(s - eps, R(0)),
       hi = min(s + eps, R(1));
-    Mask<R> proved = Mask<R>(false);
     if (row.proves) {
-      if (any(inside)) {
-        const ProvedRoot<R> root = prove_root(p, s, eps, margin, inside);
-        s = select(inside, root.s, s);
-        lo = select(inside, root.lo, lo), hi = select(inside, root.hi, hi);
-        proved = root.proved;
-      }
-      const Mask<R> misses = active & !(found.hit | at_start | at_end);
-      if (any(misses)) proved = proved | is_empty(p, margin, misses);
+      if (any(inside)) root.replace(inside, prove_root(p, s, eps, margin, inside));
+      s = select(told | inside, root.s, s);
+      lo = select(told | inside, root.lo, lo), hi = select(told | inside, root.hi, hi);
+      const Mask<R> misses = sought & !(found.hit | at_start | at_end);
+      if (any(misses)) root.proved = root.proved | is_empty(p, margin, misses);
     }
     T values[3][kWidth<R>], steps[kWidth<R>];
     store(values[0], s), store(values[1], lo), store(values[2], hi), store(steps, found.steps);
     bool hits[kWidth<R>], proofs[kWidth<R>], negatives[kWidth<R>];
-    put_where<R>(inside | at_start | at_end, hits);
-    put_where<R>(proved, proofs);
+    put_where<R>(told | inside | at_start | at_end, hits);
+    put_where<R>(root.proved, proofs);
     put_where<R>(select(known, negative(sign_before), start), negatives);
     for (int l = 0; l < kWidth<R>; ++l) {
       if (!all[l]) continue;

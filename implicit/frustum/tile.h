@@ -197,6 +197,7 @@ template <class T, class C> class FrustumTile {
       if (query_.redo && any_open) {
         RowPolynomials<C> precise;
         fill(precise, part, iso, c, active, eps);
+        precise.guessed = true;
         find_row<Native<C>>(precise, query_.finder, open, found);
       }
     }

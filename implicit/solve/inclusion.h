@@ -11,8 +11,19 @@ namespace isocast::inline ISO_ISA {
 template <Real R> ISO_HD inline Interval<R> constant_as(TapeConstant c, const Interval<R>&) {
   return enclosed<R>(c.value, c.exact);
 }
+/// Cheap, as it is done at every run of a tape.
 template <Real R, int N> ISO_HD inline AffineForm<R, N> constant_as(TapeConstant c, const AffineForm<R, N>&) {
-  return AffineForm<R, N>(enclosed<R>(c.value, c.exact));
+  using T = Scalar<R>;
+  const T x = static_cast<T>(c.value);
+  if (!(abs(x) <= kLargest<T>)) return AffineForm<R, N>(enclosed<R>(c.value, c.exact));
+  AffineForm<R, N> y;
+  y.c = R(x);
+  each_symbol<N>([&y](int k) { y.e[k] = R(0); });
+  const bool rounded = !c.exact || static_cast<double>(x) != c.value;
+  y.r = R(kOutward && rounded ? kSpacing<T> * abs(x) + kSmallest<T> : T(0));
+  y.defined = y.continuous = Mask<R>(true);
+  y.empty = Mask<R>(false);
+  return y;
 }
 template <class F> ISO_HD inline Gradient<F> constant_as(TapeConstant c, const Gradient<F>& g) {
   return Gradient<F>(constant_as(c, g.value));

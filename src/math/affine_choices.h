@@ -16,12 +16,19 @@ template <Real R, int N> ISO_HD inline AffineForm<R, N> abs(const AffineForm<R, 
   return select(not_negative(x), a, select(not_positive(x), -a, both));
 }
 
-/// The smaller one where a - b decides, else (a + b - |a - b|) / 2.
+/// a or b where a - b decides. Else their mean with weights such that the smaller one lies nowhere above it,
+/// and below it as far at both ends of a - b.
 template <Real R, int N>
 ISO_HD inline AffineForm<R, N> min(const AffineForm<R, N>& a, const AffineForm<R, N>& b) {
-  const AffineForm<R, N> d = a - b, both = mapped((a + b) - abs(d), R(0.5), R(0), R(0));
-  const Interval<R> sign = interval_of(d);
-  return decorated_as(a, b, select(not_positive(sign), a, select(not_negative(sign), b, both)));
+  const Interval<R> d = interval_of(a - b);
+  const R of_b = d.hi / (d.hi - d.lo), of_a = R(1) - of_b;
+  const R below = max(of_b * -d.lo, of_a * d.hi), half = R(0.5) * below;
+  AffineForm<R, N> y = a;
+  y.c = (of_a * a.c + of_b * b.c) - half;
+  each_symbol<N>([&](int k) { y.e[k] = of_a * a.e[k] + of_b * b.e[k]; });
+  const R size = abs(a.c) + spread(a) + a.r + abs(b.c) + spread(b) + b.r + half;
+  y.r = with_underflow(with_roundings(of_a * a.r + of_b * b.r + half, size, 4));
+  return decorated_as(a, b, select(not_positive(d), a, select(not_negative(d), b, settled(y))));
 }
 template <Real R, int N>
 ISO_HD inline AffineForm<R, N> max(const AffineForm<R, N>& a, const AffineForm<R, N>& b) {

@@ -7,13 +7,16 @@
 
 namespace isocast::inline ISO_ISA {
 
-/// Chebyshev; undefined, and of the part that is not negative, where there is another.
+/// Chebyshev; undefined, and of the part that is not negative, where there is another. Beside the chord's
+/// slope 1 / (p + q) between the roots p and q of the ends the square root lies between p q / (p + q), at
+/// both ends, and (p + q) / 4.
 template <Real R, int N> ISO_HD inline AffineForm<R, N> sqrt(const AffineForm<R, N>& a) {
-  const Interval<R> range = interval_of(a), x = cut(range, R(0), R(kInfinity<Scalar<R>>));
-  return bent(
-      a, x, sqrt(range), [](const Interval<R>& u) { return sqrt(u); },
-      [](const Interval<R>& u) { return Interval<R>(R(0.5)) / sqrt(u); },
-      [](R slope) { return R(0.25) / (slope * slope); });
+  const Interval<R> y = sqrt(interval_of(a));
+  const R sum = y.lo + y.hi, slope = R(1) / sum, least = y.lo * (y.hi * slope), most = R(0.25) * sum;
+  const R error = with_roundings(R(0.5) * max(most - least, R(0)), y.hi, 12);
+  const R largest = R(kLargest<Scalar<R>>);
+  return select((y.hi <= largest) & (slope <= largest),
+                decorated_as(y, mapped(a, slope, R(0.5) * (least + most), error)), AffineForm<R, N>(y));
 }
 
 /// Chebyshev.
@@ -84,18 +87,34 @@ template <Real R, int N> ISO_HD inline AffineForm<R, N> power(const AffineForm<R
   return n % 2 ? a * power(a, n - 1) : even_power(a, n);
 }
 
-/// Taylor; the interval's result for wide angles.
+/// g(a) for a sine g of any phase, with `value` and `slope` the library's g and g' at a's middle. Taylor: g''
+/// is -g, and g lies within abs(slope) rho + rho^2 / 2 of `value` over the radius rho. That alone for wide
+/// angles, [-1, 1] for those beyond the library's range.
+template <Real R, int N>
+ISO_HD inline AffineForm<R, N> wave_form(const AffineForm<R, N>& a, R value, R slope) {
+  using T = Scalar<R>;
+  constexpr T kSpacings = T(2) * kLibraryUlps<T> + T(4);
+  const R radius = raised(spread(a) + a.r), bend = R(0.5) * (radius * radius), rise = abs(slope) * radius;
+  const R size = abs(value) + rise + bend,
+          away = with_roundings(rise + bend, size, kSpacings) + R(kSpacings * kSmallest<T>);
+  const Mask<R> far = !(abs(a.c) <= R(kAngleRange<T>));
+  const R lo = select(far, R(-1), max(value - away, R(-1))), hi = select(far, R(1), min(value + away, R(1)));
+  const AffineForm<R, N> range(decorated_as(interval_of(a), lo, hi));
+
+  const R below = bend * max(hi, R(0)), above = bend * max(-lo, R(0));
+  AffineForm<R, N> y = range;
+  y.c = value + R(0.5) * (above - below);
+  each_symbol<N>([&](int k) { y.e[k] = slope * a.e[k]; });
+  y.r = with_roundings(abs(slope) * a.r + R(0.5) * (above + below), size, kSpacings) +
+        R(T(12) * kSpacings * kSmallest<T>);
+  y = settled(y);
+  return select((!far) & (spread(y) + y.r <= R(2) * range.r), y, range);
+}
 template <Real R, int N> ISO_HD inline AffineForm<R, N> sin(const AffineForm<R, N>& a) {
-  const Interval<R> x = interval_of(a), y = sin(x);
-  return curved(
-      a, x, y, [](const Interval<R>& u) { return sin_at(u.lo); },
-      [](const Interval<R>& u) { return cos_at(u.lo); }, -y);
+  return wave_form(a, sin(a.c), cos(a.c));
 }
 template <Real R, int N> ISO_HD inline AffineForm<R, N> cos(const AffineForm<R, N>& a) {
-  const Interval<R> x = interval_of(a), y = cos(x);
-  return curved(
-      a, x, y, [](const Interval<R>& u) { return cos_at(u.lo); },
-      [](const Interval<R>& u) { return -sin_at(u.lo); }, -y);
+  return wave_form(a, cos(a.c), -sin(a.c));
 }
 
 /// Min-range; nothing is known where there may be a pole, which is undefined.

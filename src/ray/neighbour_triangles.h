@@ -18,8 +18,10 @@ class NeighbourTriangles {
   NeighbourTriangles(const RayStream& rays, const HitStream& hits, const double (&t)[kStreamSize],
                      int first) {
     for (float& border : t_) border = kNone;
+    int others = 0;
     for (int i = 0; i < kStreamSize; ++i)
-      alike_ = alike_ & ((t[i] == double(kNone)) | (hits.iso[i] == hits.iso[first]));
+      others += (hits.object[i] == hits.object[first]) & (hits.iso[i] != hits.iso[first]);
+    alike_ = others == 0;
     set_frame(rays, first, t[first]);
     for (int slot = 0; slot < kStreamSize; slot += kPacketSize) take_packet(rays, hits, t, slot);
   }
@@ -148,7 +150,7 @@ class NeighbourTriangles {
   }
 
   double origin_[3], depth_, per_unit_;
-  bool turns_, alike_ = true;  // alike: all hits are of one iso-value
+  bool turns_, alike_;  // alike: all hits are of one iso-value
   float t_[kPlaces], iso_[kPlaces] = {}, p_[3][kPlaces] = {};
 };
 
