@@ -147,3 +147,17 @@ TEST_CASE("certified pictures of the catalogue agree with the reference", "[prop
     }
   }
 }
+
+TEST_CASE("rays whose parts are trimmed to their beginnings come to an end") {
+  const CatalogueSurface& chmutov = *std::ranges::find(catalogue(), "chmutov_18", &CatalogueSurface::id);
+  const ImplicitSurface certified = surface_of(surface_expression(chmutov), chmutov.domain, "certified",
+                                               false, {0}, widest_isa(), "0.00048828125");
+  int hits_seen = 0;
+  for (int n = 0; n < 20; ++n) {
+    CameraWishes wishes;
+    wishes.position = {3 + 0.01 * n, -4, 2};
+    for (const HitStream& hits : picture_of(certified, View(frame(certified.bounds(), wishes, 1), 8, 8)))
+      for (int i = 0; i < kStreamSize; ++i) hits_seen += is_hit(hits, i);
+  }
+  CHECK(hits_seen > 500);
+}
