@@ -125,7 +125,7 @@ void RenderLoop::make_pictures(const Wish& wish) {
   change_camera(wish.words, wishes);
   const Camera camera = frame(keeper_.built().scene.bounds(), wishes, double(width) / height);
   const RenderSettings final = settings_of(wish.words, keeper_.description().wishes);
-  const bool smooth = final.spp > 1 || final.silhouettes;
+  const bool smooth = final.spp > 1 || final.silhouettes || final.coverage;
   if (std::vector<std::string> traced = traced_words(wish.words); traced != traced_) {
     budget_.forget();
     traced_ = std::move(traced);

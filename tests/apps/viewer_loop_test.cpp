@@ -61,7 +61,7 @@ constexpr const char* kHard = "sin(20*x)*cos(19*y)+sin(21*y)*cos(18*z)+sin(17*z)
 
 TEST_CASE("at rest the picture is that of isocast render") {
   RenderLoop loop;
-  for (const char* aa : {"none", "spp", "silhouette"})
+  for (const char* aa : {"none", "spp", "silhouette", "coverage"})
     for (const bool hold : {false, true}) {
       Wish wish = wish_for("@tangle");
       wish.words.aa = aa;

@@ -76,6 +76,7 @@ void App::open(const std::string& input) {
   words.method = "auto";
   words.camera.clear();
   words.set.clear();
+  if (words.aa != "spp") words.aa.clear();  // the others are for formulas
   try {
     session = start_session(words);
   } catch (const InputError& problem) {
