@@ -143,7 +143,7 @@ bool RenderLoop::make_first_pictures(const Wish& wish, const Camera& camera, con
     show_picture(make_picture(wish, camera, settings, last, 1, kStays), wish);
     return !mailbox_.has_newer(wish.revision);
   }
-  constexpr double kInTime = 0.9;  // what is shown at the end is seen before the budget's
+  constexpr double kInTime = 0.8;  // what is shown at the end is seen before the budget's
   const Clock::time_point end = begun_ + milliseconds(kInTime * wish.budget_ms);
   BestInTime best(
       end, [&](Picture picture) { show_picture(std::move(picture), wish); }, [&] { mailbox_.nudge(); });

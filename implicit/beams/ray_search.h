@@ -32,11 +32,11 @@ template <Real R> class RaySearch {
     if (piece.from <= piece.to) roots_.pieces[waiting_++] = piece;
   }
 
-  /// Until no piece is left.
+  /// Until no piece is left, or the block is unwanted.
   ISO_HD void run() {
     next_ = 0;
-    for (refill(); busy_ != 0; refill()) round();
-    waiting_ = 0;
+    for (refill(); busy_ != 0 && !roots_.is_unwanted(); refill()) round();
+    waiting_ = 0, busy_ = 0;
   }
 
  private:

@@ -161,3 +161,21 @@ TEST_CASE("rays whose parts are trimmed to their beginnings come to an end") {
   }
   CHECK(hits_seen > 200);
 }
+
+TEST_CASE("a block that nobody wants is not searched") {
+  const ImplicitSurface certified =
+      surface_of(parse_expression("sin(20*x)*sin(20*y)-z"), kBox, "certified", false);
+  const std::unique_ptr<PrimaryPass> pass =
+      certified.primary(View(frame(certified.bounds(), {}, 1), 128, 128));
+  const auto block = std::make_unique<BlockHits>();
+  const auto evaluations = [&](std::stop_token stop) {
+    TraceCounts counts;
+    block->reset(true, std::move(stop));
+    pass->first_hits(0, 0, 0.5, 0.5, *block, counts);
+    return counts.evaluations;
+  };
+  std::stop_source stop;
+  CHECK(evaluations(stop.get_token()) > 1000);
+  stop.request_stop();
+  CHECK(evaluations(stop.get_token()) == 0);
+}
