@@ -135,8 +135,8 @@ void RenderLoop::make_pictures(const Wish& wish) {
   if (smooth) show_picture(make_picture(wish, camera, final, Stage::final, 1, begun_), wish);
 }
 
-// Up to the full one, each shown as it is done, but those that are coarser than what fits into the budget
-// only if it does not, at its end. false: a newer wish is there.
+// Up to the full one, each shown as it is done, but one that is coarser than what fits into the budget only
+// where there is no time for a finer one, or at the budget's end. false: a newer wish is there.
 bool RenderLoop::make_first_pictures(const Wish& wish, const Camera& camera, const RenderSettings& settings,
                                      Stage last) {
   if (wish.hold_full) {
@@ -155,8 +155,11 @@ bool RenderLoop::make_first_pictures(const Wish& wish, const Camera& camera, con
     const Clock::time_point start = Clock::now();
     Picture picture =
         make_picture(wish, camera, settings, stage, divisor, divisor == kCoarsest ? kStays : stays_until);
-    if (divisor == 1 || divisor == target || !known) budget_.note(divisor, ms_since(start));
-    if (divisor > target) best.keep(std::move(picture));
+    const double ms = ms_since(start);
+    // a finer one takes at least four times as long: is there time for it?
+    const bool keeps = divisor > target && 4 * ms < -ms_since(end);
+    if (divisor == 1 || (divisor >= target && !(keeps && known))) budget_.note(divisor, ms);
+    if (keeps) best.keep(std::move(picture));
     else best.show_now(std::move(picture)), stays_until = begun_;
     if (mailbox_.has_newer(wish.revision) && Clock::now() >= stays_until) return false;
     if (divisor == 1) return true;
