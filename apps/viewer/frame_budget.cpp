@@ -18,9 +18,10 @@ void FrameBudget::note_ended(int divisor, double ms) {
 }
 
 int FrameBudget::divisor(double budget_ms) const {
-  constexpr double kReserve = 0.7;
-  const double limit = kReserve * budget_ms;
-  if (!knows_previews() || (full_ms_ > 0 && full_ms_ <= limit)) return 1;
+  // a full picture that is late costs little: a preview is there
+  constexpr double kFull = 0.95, kPreview = 0.7;
+  const double limit = kPreview * budget_ms;
+  if (!knows_previews() || (full_ms_ > 0 && full_ms_ <= kFull * budget_ms)) return 1;
   int divisor = 2;
   while (divisor < kCoarsest && preview_ms_ / (divisor * divisor) > limit) ++divisor;
   return divisor;
