@@ -4,6 +4,7 @@
 #include <isocast/base/error.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace isocast {
 namespace {
@@ -210,6 +211,22 @@ std::filesystem::path numbered_file(const std::filesystem::path& file, int frame
   const std::string digits =
       name[percent + 1] == '0' ? fmt::format("{:0{}}", frame, width) : fmt::format("{:{}}", frame, width);
   return file.parent_path() / (name.substr(0, percent) + digits + name.substr(end + 1));
+}
+
+std::optional<std::array<int, 2>> numbers_of_files(const std::filesystem::path& file) {
+  const std::string begin = file.filename().string().substr(0, file.filename().string().find('%'));
+  std::optional<std::array<int, 2>> numbers;
+  std::error_code unreadable;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+    const std::string name = entry.path().filename().string();
+    int number = 0;
+    if (!name.starts_with(begin) || std::sscanf(name.c_str() + begin.size(), "%d", &number) != 1) continue;
+    if (numbered_file(file, number).filename() != name) continue;
+    if (!numbers) numbers = {number, number};
+    numbers = {std::min((*numbers)[0], number), std::max((*numbers)[1], number)};
+  }
+  return numbers;
 }
 
 }  // namespace isocast

@@ -24,4 +24,7 @@ namespace isocast {
 /// "ct_%04d.nrrd" with the frame's number; a name without % stays. Throws InputError for any other use of %.
 [[nodiscard]] std::filesystem::path numbered_file(const std::filesystem::path& file, int frame);
 
+/// The least and the largest frame that a numbered name has a file for; none: there is no such file.
+[[nodiscard]] std::optional<std::array<int, 2>> numbers_of_files(const std::filesystem::path& file);
+
 }  // namespace isocast

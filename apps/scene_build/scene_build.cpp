@@ -14,24 +14,33 @@ namespace {
 // A surface has at most so many iso-values; further ones are objects of their own.
 constexpr std::size_t kIsosPerSurface = std::min(kMaxIsos, kMostIsos);
 
+constexpr const char* kClipSolids = "clip solids";
+
 void add_missing(std::vector<std::string>& list, const std::vector<std::string>& more) {
   for (const std::string& word : more)
     if (std::ranges::find(list, word) == list.end()) list.push_back(word);
 }
 
 // What the objects need together; what one of them uses was not left out.
-void add_up(BuiltScene& built) {
+void gather_words(BuiltScene& built) {
+  built.features.clear(), built.left_out.clear();
   for (const BuiltObject& object : built.objects) {
     add_missing(built.features, object.features);
     add_missing(built.left_out, object.left_out);
+  }
+  std::erase_if(built.left_out, [&](const std::string& word) {
+    return std::ranges::find(built.features, word) != built.features.end();
+  });
+}
+
+void add_up(BuiltScene& built) {
+  for (const BuiltObject& object : built.objects) {
     built.load_ms += object.load_ms;
     built.build_ms += object.build_ms;
     built.volume_bytes += object.volume_bytes;
     built.acceleration_bytes += object.acceleration_bytes;
   }
-  std::erase_if(built.left_out, [&](const std::string& word) {
-    return std::ranges::find(built.features, word) != built.features.end();
-  });
+  gather_words(built);
 }
 
 // Part number `part` of a list of iso-values.
@@ -61,7 +70,6 @@ class Builder {
     for (std::size_t k = 0; k < built_.objects.size(); ++k)
       if (!description_.objects[k].visible) hide(built_.objects[k]);
     if (description_.clips.empty()) return;
-    built_.objects.front().features.emplace_back("clip solids");
     for (std::size_t k = 0; k < built_.objects.size(); ++k) built_.set_clips(k, description_.clips_of(k));
   }
 
@@ -205,6 +213,9 @@ void BuiltScene::set_iso(std::size_t object, const std::vector<double>& iso,
     scene.objects[moved.place + part].materials =
         moved.count == 1 ? all : std::vector<Material>(begin, std::min(begin + kIsosPerSurface, all.end()));
   }
+  for (std::string& word : moved.features)
+    if (word.starts_with("iso:")) word = fmt::format("iso:{}", iso.size());
+  gather_words(*this);
 }
 
 bool BuiltScene::choose_method(std::size_t object) {
@@ -216,9 +227,12 @@ bool BuiltScene::choose_method(std::size_t object) {
 }
 
 void BuiltScene::set_clips(std::size_t object, const std::vector<SolidDescription>& clips) {
-  std::size_t number = objects[object].place;
-  for (const auto& surface : clipped(objects[object].unclipped, clips, number))
-    scene.objects[number++].surface = surface;
+  BuiltObject& cut = objects[object];
+  std::size_t number = cut.place;
+  for (const auto& surface : clipped(cut.unclipped, clips, number)) scene.objects[number++].surface = surface;
+  for (std::vector<std::string>* const list : {&cut.features, &cut.left_out}) std::erase(*list, kClipSolids);
+  (clips.empty() ? cut.left_out : cut.features).emplace_back(kClipSolids);
+  gather_words(*this);
 }
 
 bool BuiltScene::proves() const { return std::ranges::any_of(objects, &BuiltObject::proves); }

@@ -7,19 +7,21 @@ namespace isocast::viewer {
 void FrameBudget::note(int divisor, double ms) {
   double& cost = divisor == 1 ? full_ms_ : preview_ms_;
   const double all = ms * divisor * divisor;
-  cost = std::max(all, 0.5 * cost + 0.5 * all);
+  const bool believed = divisor > 1 && 2 * divisor < finest_;
+  cost = believed ? all : std::max(all, 0.5 * cost + 0.5 * all);
+  if (divisor > 1) finest_ = std::min(finest_, divisor);
 }
 
 void FrameBudget::note_ended(int divisor, double ms) {
   double& cost = divisor == 1 ? full_ms_ : preview_ms_;
-  cost = std::max(cost, ms * divisor * divisor);
+  if (cost > 0) cost = std::max(cost, ms * divisor * divisor);
 }
 
 int FrameBudget::divisor(double budget_ms) const {
-  constexpr double kReserve = 0.75;
-  const double limit = kReserve * budget_ms;
-  if (full_ms_ > 0 && full_ms_ <= limit) return 1;
-  if (preview_ms_ == 0) return kCoarsest;
+  // a full picture that is late costs little: a preview is there
+  constexpr double kFull = 0.95, kPreview = 0.7;
+  const double limit = kPreview * budget_ms;
+  if (!knows_previews() || (full_ms_ > 0 && full_ms_ <= kFull * budget_ms)) return 1;
   int divisor = 2;
   while (divisor < kCoarsest && preview_ms_ / (divisor * divisor) > limit) ++divisor;
   return divisor;

@@ -9,9 +9,10 @@ namespace isocast::viewer {
 std::vector<IsoChoice> iso_choices(const VolumeStatistics& statistics) {
   std::vector<IsoChoice> choices;
   const auto offer = [&](std::string name, double value) {
-    const bool inside = value > statistics.min && value < statistics.max;
-    if (inside && std::ranges::find(choices, value, &IsoChoice::value) == choices.end())
-      choices.push_back({std::move(name), value});
+    if (!(value > statistics.min && value < statistics.max)) return;
+    const auto same = std::ranges::find(choices, value, &IsoChoice::value);
+    if (same == choices.end()) choices.push_back({std::move(name), value});
+    else same->name += ", " + name;
   };
   if (!statistics.suggested_iso.empty()) offer("Best", statistics.suggested_iso.front());
   offer("Otsu", otsu_threshold(statistics.histogram));

@@ -34,7 +34,7 @@ class Latencies {
 /// cancelled           pictures that were ended, and of these: tiles that were still finished after the end
 ///                     was wanted, at most (no more than threads), and the longest time that took
 /// first, complete     from wishes to their first and to their last pictures
-/// late_previews       that took longer than their budget
+/// late_previews       wishes whose first picture was not there at their budget's end
 struct LoopCounts {
   std::array<std::atomic<std::int64_t>, 4> pictures = {};
   std::atomic<std::int64_t> tiles_rendered = 0, tiles_cancelled = 0, cancelled = 0, late_previews = 0;

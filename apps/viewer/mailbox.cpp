@@ -38,11 +38,11 @@ std::shared_ptr<const Wish> Mailbox::wait_for_newer(std::uint64_t revision) {
   return closed_ ? nullptr : wish_.load();
 }
 
-Mailbox::Work::Work(Mailbox& mailbox, std::uint64_t revision, double stays_ms, const Progress* progress)
+Mailbox::Work::Work(Mailbox& mailbox, std::uint64_t revision, Clock::time_point stays_until,
+                    const Progress* progress)
     : mailbox_(mailbox), running_(std::make_shared<RunningWork>()) {
   running_->revision = revision;
-  running_->stays_until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                             std::chrono::duration<double, std::milli>(stays_ms));
+  running_->stays_until = stays_until;
   record_.emplace(stop(), [this, progress] { stopped_ = {Clock::now(), progress ? progress->done() : 0}; });
   mailbox.worked_on_ = revision;
   mailbox.running_.store(running_);

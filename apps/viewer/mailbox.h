@@ -23,14 +23,14 @@ struct StopMoment {
   Clock::time_point time;
   std::int64_t tiles = 0;
 };
-inline constexpr double kStays = 1e9;  // ms: only end_now() ends it
+inline constexpr Clock::time_point kStays = Clock::time_point::max();  // only end_now() ends it
 
-/// put() and nudge() are the interface's, the others the render thread's.
+/// put() is the interface's, nudge() and end_now() any thread's, the others the render thread's.
 class Mailbox {
  public:
   /// Replaces the wish before, and stops what works on an older one.
   void put(std::shared_ptr<const Wish> wish);
-  /// Stops work that newer wishes have waited long enough for; to be called once a frame.
+  /// Stops work that newer wishes have waited long enough for; to be called when that time is over.
   void nudge();
   /// Stops what is going on, whatever it is; `before`: only for a wish that is older.
   void end_now(std::uint64_t before = ~std::uint64_t(0));
@@ -42,14 +42,13 @@ class Mailbox {
   /// Wakes the render thread without a wish.
   void wake();
   [[nodiscard]] bool has_newer(std::uint64_t revision) const { return revision_ > revision; }
-  /// The newest wish has to wait for work on an older one.
-  [[nodiscard]] bool is_behind() const { return running_.load() && revision_ > worked_on_; }
   [[nodiscard]] bool closed() const { return closed_; }
 
   /// Registers work on a wish for as long as it lives. progress may be null; it counts tiles.
   class Work {
    public:
-    Work(Mailbox& mailbox, std::uint64_t revision, double stays_ms, const Progress* progress = nullptr);
+    Work(Mailbox& mailbox, std::uint64_t revision, Clock::time_point stays_until,
+         const Progress* progress = nullptr);
     ~Work() { mailbox_.running_.store(nullptr); }
     Work(const Work&) = delete;
     Work& operator=(const Work&) = delete;

@@ -15,7 +15,8 @@ namespace isocast::viewer {
 
 /// All calls are the interface's, and none waits for work: wishes go in and results come out by exchanging
 /// pointers. A wish ends older work within a tile, but for a preview in its time, which is shown first, and
-/// for loading, which goes on unless the input is another one.
+/// for loading, which goes on unless the input is another one. At the end of a wish's frame budget the best
+/// picture that there is is shown.
 class RenderLoop {
  public:
   /// tell: called in the render thread when there is something new.
@@ -26,10 +27,6 @@ class RenderLoop {
 
   /// Replaces the wish before; revisions are the loop's: returns this wish's.
   std::uint64_t ask(Wish wish);
-  /// To be called once a frame.
-  void nudge() { mailbox_.nudge(); }
-  /// Work on an older wish goes on, which nudge() may end.
-  [[nodiscard]] bool is_behind() const { return mailbox_.is_behind(); }
   /// Ends loading and whatever else is going on.
   void cancel() { mailbox_.end_now(); }
   /// Something to do with the scene and its complete picture, as soon as there are no newer wishes.
@@ -52,9 +49,13 @@ class RenderLoop {
   void load(const Wish& wish);
   void publish_news(std::uint64_t revision, const std::string& error);
   void make_pictures(const Wish& wish);
+  bool make_first_pictures(const Wish& wish, const Camera& camera, const RenderSettings& settings,
+                           Stage last);
+  Picture make_picture(const Wish& wish, const Camera& camera, const RenderSettings& settings, Stage stage,
+                       int divisor, Clock::time_point stays_until);
+  void show_picture(Picture picture, const Wish& wish);
+  void note_first(const Wish& wish);
   void show(Picture picture);
-  bool make_picture(const Wish& wish, const View& view, const RenderSettings& settings, Stage stage,
-                    int divisor, double stays_ms);
 
   std::function<void()> tell_;
   ProgressWatch watch_;
@@ -67,11 +68,13 @@ class RenderLoop {
   std::atomic<std::shared_ptr<const SceneNews>> news_;
   std::atomic<std::uint64_t> rested_ = 0;
   std::atomic<bool> loading_ = false, in_extras_ = false;
-  std::uint64_t complete_ = 0, first_of_ = 0;  // the render thread's
-  std::optional<View> view_;                   // of the complete picture, the render thread's
-  std::uint64_t asked_ = 0;                    // the interface's
-  std::vector<std::string> source_;            // of the newest wish, the interface's
-  std::vector<std::string> traced_;            // what the budget knows, the render thread's
+  std::uint64_t complete_ = 0;               // the render thread's
+  std::atomic<std::uint64_t> first_of_ = 0;  // the newest wish that has had a picture
+  Clock::time_point begun_;                  // the wish that is worked on, the render thread's
+  std::optional<View> view_;                 // of the complete picture, the render thread's
+  std::uint64_t asked_ = 0;                  // the interface's
+  std::vector<std::string> source_;          // of the newest wish, the interface's
+  std::vector<std::string> traced_;          // what the budget knows, the render thread's
   std::jthread thread_;
 };
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <isocast/apps/isocast/parse_values.h>
+#include <isocast/apps/scene_build/animation.h>
 #include <isocast/apps/scene_build/build_object.h>
 #include <isocast/apps/scene_build/scene_file.h>
 #include <isocast/apps/viewer/session.h>
@@ -81,6 +82,10 @@ Session start_session(const RenderWords& words) {
   SessionObject& object = session.object();
   object = read_object(document_of(words)["objects"][0]);
   object.method = words.method, object.set = words.set;
+  if (object.type == "volume" && words.input.find('%') != std::string::npos) {
+    session.numbers = numbers_of_files(words.input);
+    if (session.numbers) session.frame = session.numbers->front();
+  }
   const MaterialDescription looks = describe_materials(words);
   const std::vector<double> values =
       words.iso.empty() ? std::vector<double>() : parse_numbers(words.iso, "--iso");
@@ -89,7 +94,7 @@ Session start_session(const RenderWords& words) {
 }
 
 std::optional<std::array<int, 2>> Session::frames() const {
-  if (!document || !document->contains("animation")) return std::nullopt;
+  if (!document || !document->contains("animation")) return numbers;
   return (*document)["animation"]["frames"].get<std::array<int, 2>>();
 }
 

@@ -15,19 +15,21 @@ namespace isocast::viewer {
 /// document  the scene of a scene file; without one the input is the only object
 /// objects   as the user wants them; at least one
 /// current   the object that the panels show
-/// frame     of an animation; none: its first
+/// numbers   the first and the last of volumes whose name takes the frame's number
+/// frame     of an animation or of numbered volumes; none: its first
 /// camera    none: the one of `words`, which frames the scene where they leave it open
 struct Session {
   RenderWords words;
   std::optional<SceneJson> document;
   std::vector<SessionObject> objects = std::vector<SessionObject>(1);
   std::size_t current = 0;
+  std::optional<std::array<int, 2>> numbers;
   std::optional<int> frame;
   std::optional<Camera> camera;
 
   [[nodiscard]] SessionObject& object() { return objects[current]; }
   [[nodiscard]] const SessionObject& object() const { return objects[current]; }
-  /// The first and the last frame of the scene's animation, if it has one.
+  /// The first and the last frame of the scene's animation or of its numbered volumes, if it has any.
   [[nodiscard]] std::optional<std::array<int, 2>> frames() const;
 };
 

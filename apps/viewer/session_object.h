@@ -39,7 +39,8 @@ struct SessionObject {
   ColorWords color_by;
   std::vector<IsoSurface> surfaces, adopted;
 
-  [[nodiscard]] bool has_iso() const { return type == "volume" || type == "formula" || type == "surface"; }
+  [[nodiscard]] bool is_formula() const { return type == "formula" || type == "surface"; }
+  [[nodiscard]] bool has_iso() const { return type == "volume" || is_formula(); }
 };
 
 }  // namespace isocast::viewer

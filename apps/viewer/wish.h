@@ -14,6 +14,9 @@
 namespace isocast::viewer {
 
 using Clock = std::chrono::steady_clock;
+[[nodiscard]] inline Clock::duration milliseconds(double ms) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>(ms));
+}
 [[nodiscard]] inline double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }

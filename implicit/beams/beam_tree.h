@@ -38,11 +38,13 @@ template <class F, Real R> class BeamTree {
         leaves_(rays, roots),
         rays_search_(query, rays, roots, leaves_, registers) {}
 
-  /// The rays of a node, which is not slanted, over its window; the tape is to hold in all of `limit`.
+  /// The rays of a node, which is not slanted, over its window; the tape is to hold in all of `limit`. Once,
+  /// as it ends early where the block is unwanted.
   ISO_HD void run(const BeamNode<T>& start, DepthRange<T> limit) {
     limit_ = limit;
     *push() = start;
     while (waiting_ > 0) {
+      if (roots_.is_unwanted()) return;
       lanes_.count = part_count_ = 0;
       while (waiting_ > 0 && take()) {}
       if (lanes_.count == 0) continue;

@@ -90,10 +90,17 @@ template <class T> struct alignas(64) PixelRoots {
       unclear[kBlockPixels];
 };
 /// With what it took to find them, and room for the search.
+///
+/// unwanted  becomes true, atomically, when nobody wants the block any more: a search may leave the rest as
+/// it
+///           is; null: it never does
 template <class T> struct alignas(64) BlockRoots : PixelRoots<T> {
   std::int64_t evaluations;
+  const bool* unwanted = nullptr;
   BeamNode<T> stack[kMostNodes];
   RayPiece<T> pieces[kMostPieces];
+
+  [[nodiscard]] bool is_unwanted() const { return unwanted && __atomic_load_n(unwanted, __ATOMIC_RELAXED); }
 };
 
 /// Levels below pixels that beams may be cast to, and how many cells these make of a pixel.

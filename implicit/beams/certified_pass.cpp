@@ -6,6 +6,7 @@
 #include <isocast/render/camera.h>
 
 #include <cmath>
+#include <stop_token>
 
 namespace isocast {
 namespace {
@@ -29,6 +30,9 @@ void CertifiedPass<T>::first_hits(int bx, int by, double offset_u, double offset
   const BlockKernels<T>& kernels = this->kernels();
   void* const registers = this->registers();
   kernels.clear(rays, roots);
+  bool unwanted = false;
+  const std::stop_callback stopped(hits.stop(), [&] { __atomic_store_n(&unwanted, true, __ATOMIC_RELAXED); });
+  roots.unwanted = &unwanted;
   const DepthRange<T> all = {-rays.before, rays.most_depth};
   if (this->inputs_.prunes)
     PrunedBlock<T>(this->query_, this->inputs_, kernels, this->frame_.box(), rays, roots).trace(all);
@@ -38,6 +42,8 @@ void CertifiedPass<T>::first_hits(int bx, int by, double offset_u, double offset
     for (int tile = 0; tile < kBlockStreams; ++tile)
       kernels.polish(this->query_, rays, tile, everywhere, roots, registers);
   }
+  roots.unwanted = nullptr;
+  if (hits.unwanted()) return;
   counts.evaluations += roots.evaluations;
   for (int tile = 0; tile < kBlockStreams; ++tile) {
     const T* const lo = roots.lo + tile * kStreamSize;

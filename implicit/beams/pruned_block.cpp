@@ -28,7 +28,7 @@ PrunedBlock<T>::PrunedBlock(const FormulaQuery<T>& query, const FormulaPassInput
 
 template <class T>
 void PrunedBlock<T>::search(const Tape& tape, int x, int y, int size, DepthRange<T> part, int level) {
-  if (x >= rays_.columns || y >= rays_.rows || !meets(x, y, size, part)) return;
+  if (roots_.is_unwanted() || x >= rays_.columns || y >= rays_.rows || !meets(x, y, size, part)) return;
   const Tape& mine = pruned(tape, x, y, size, widened(part), level);
   const bool is_long = mine.code.size() > kShort && level + 1 < kMostLevels;
   const T width = T(size) * (rays_.pixel + part.to * rays_.pixel_spread),

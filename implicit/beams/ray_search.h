@@ -12,7 +12,7 @@ namespace isocast::inline ISO_ISA {
 /// walk     what trimming leaves of a part is the next one, or half of it where trimming does not halve it;
 ///          behind a part without roots comes one twice as long
 /// seams    forms reach a little over the ends of their part, so that a root at an end lies inside
-/// unclear  a ray is left open from a part on that is too short to be divided
+/// unclear  a ray is left open from a part on that is too short to be divided, or trimmed to nothing
 template <Real R> class RaySearch {
   using T = Scalar<R>;
   using F = AffineForm<R, 1>;
@@ -32,11 +32,11 @@ template <Real R> class RaySearch {
     if (piece.from <= piece.to) roots_.pieces[waiting_++] = piece;
   }
 
-  /// Until no piece is left.
+  /// Until no piece is left, or the block is unwanted.
   ISO_HD void run() {
     next_ = 0;
-    for (refill(); busy_ != 0; refill()) round();
-    waiting_ = 0;
+    for (refill(); busy_ != 0 && !roots_.is_unwanted(); refill()) round();
+    waiting_ = 0, busy_ = 0;
   }
 
  private:
@@ -110,9 +110,11 @@ template <Real R> class RaySearch {
     const Mask<R> here = lanes_of<R>(busy_, p);
     const Mask<R> out = leaves_out(interval_of(f), query_) | (near > b) | (far < a);
     const Mask<R> hit = here & (!out) & found.alone() & (first_far - near <= R(rays_.eps)) & (first_far >= a);
-    const Mask<R> unclear = here & (!(out | hit)) & (b - a <= R(max(T(0.25) * rays_.eps, rays_.least)));
-    const Mask<R> over = here & out & (b >= to);
     const R next = max(a, near), rest = min(b, far) - next;
+    // trimmed to its beginning, where forms may not agree: the ray would go on from there for ever
+    const Mask<R> shortest = (b - a <= R(max(T(0.25) * rays_.eps, rays_.least))) | (rest <= R(T(0)));
+    const Mask<R> unclear = here & (!(out | hit)) & shortest;
+    const Mask<R> over = here & out & (b >= to);
     store(from_ + p * kWidth<R>, select(out, b, next));
     store(step_ + p * kWidth<R>, select(out, max(step + step, R(rays_.least)),
                                         select(rest < R(T(0.5)) * (b - a), rest, R(T(0.5)) * rest)));

@@ -79,3 +79,22 @@ TEST_CASE(
   CHECK(keeper.scene() == scenes + 1);
   CHECK_FALSE(session_of("@tangle").frames());
 }
+
+TEST_CASE("numbered volumes are frames") {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"ball_02.nrrd", "ball_03.nrrd", "ball_11.nrrd", "ball_111.nrrd", "ball_x.nrrd"})
+    write_ball(folder / name);
+  write_nrrd(folder / "ball_03.nrrd", 16, -1, 1, [](double x, double, double) { return x; });
+  Session session = session_of(folder / "ball_%02d.nrrd");
+  CHECK(session.frames() == std::array{2, 111});
+  CHECK(session.frame == 2);
+  SceneKeeper keeper;
+  const std::vector<float> ball = kept(keeper, shown(session));
+  CHECK((ball == kept(keeper, shown(session_of(folder / "ball_02.nrrd")))));
+  session.frame = 3;
+  const std::vector<float> half = kept(keeper, shown(session));
+  CHECK((half == kept(keeper, shown(session_of(folder / "ball_03.nrrd")))));
+  CHECK((half != ball));
+  CHECK(command_line(shown(session), "out.png").find("--frames 3:3") != std::string::npos);
+  CHECK_FALSE(session_of(folder / "other_%02d.nrrd").frames());
+}

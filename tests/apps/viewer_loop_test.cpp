@@ -61,7 +61,7 @@ constexpr const char* kHard = "sin(20*x)*cos(19*y)+sin(21*y)*cos(18*z)+sin(17*z)
 
 TEST_CASE("at rest the picture is that of isocast render") {
   RenderLoop loop;
-  for (const char* aa : {"none", "spp", "silhouette"})
+  for (const char* aa : {"none", "spp", "silhouette", "coverage"})
     for (const bool hold : {false, true}) {
       Wish wish = wish_for("@tangle");
       wish.words.aa = aa;
@@ -164,7 +164,6 @@ TEST_CASE("while wishes follow one another previews are shown") {
   for (int i = 0; i < kMost && different < 3; ++i) {
     wish.words.position = std::to_string(3 + 1e-5 * i) + ",-4,2";
     loop.ask(wish);
-    loop.nudge();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     const auto picture = loop.picture();
     if (picture && picture->revision != shown) ++different, shown = picture->revision;
@@ -262,23 +261,4 @@ TEST_CASE("f along a ray through a volume has its cells") {
   REQUIRE(profile.values.size() == 101);
   CHECK(profile.values[50] == 0);
   CHECK(profile_along(object, {{-10, 30, 3.5}, {1, 0, 0}}, 100).values.empty());
-}
-
-TEST_CASE("the resolution of previews follows what pictures cost") {
-  FrameBudget budget;
-  CHECK(budget.divisor(33) == kCoarsest);
-  budget.note(8, 10);  // 640 ms for all pixels
-  CHECK(budget.divisor(33) == 6);
-  budget.note(6, 100);
-  CHECK(budget.divisor(33) == 13);
-  for (int i = 0; i < 20; ++i) budget.note(4, 1);
-  CHECK(budget.divisor(33) == 2);
-  budget.note(1, 20);
-  CHECK(budget.divisor(33) == 1);
-  CHECK(budget.full_is_near(33));
-  budget.note_ended(1, 400);
-  CHECK_FALSE(budget.full_is_near(33));
-  CHECK(budget.divisor(33) == 2);
-  budget.note_ended(2, 1e9);
-  CHECK(budget.divisor(33) == kCoarsest);
 }

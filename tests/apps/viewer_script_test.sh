@@ -179,4 +179,24 @@ grep -qx "isocast render .*/ball.nrrd --size $size -o picture.png" copied.txt ||
 [[ $(pixels full.png) == "1600 1000" ]] || fail "full screen: $(pixels full.png)"
 [[ $(pixels window.png) == "720 480" ]] || fail "back in the window: $(pixels window.png)"
 
+# volumes with numbers are frames, what is cut is not left out, and Escape closes a list
+cp ball.nrrd ball_2.nrrd
+"$program" sample "x^2+y^2+z^2-0.3" --resolution 16 --type f32 -o ball_7.nrrd >/dev/null
+cat >numbers.txt <<'S'
+wait
+frame 7
+wait
+save number.png
+press clip.add
+press iso.suggestions
+key Escape
+method certified
+wait
+quit
+S
+view "ball_%d.nrrd" --iso 0.1 --window 720x480 --scale 1 --script numbers.txt --stats stats.json || fail "numbers: $(cat err.txt)"
+"$program" render "ball_%d.nrrd" --iso 0.1 --frames 7:7 --size $size -o expected.png
+same number.png expected.png "the picture of a numbered volume"
+[[ $(number features) == *"clip solids"* && $(number left_out) != *"clip solids"* ]] || fail "what cuts is left out"
+
 end_of_test "the window does what it is told"

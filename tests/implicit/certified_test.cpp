@@ -147,3 +147,35 @@ TEST_CASE("certified pictures of the catalogue agree with the reference", "[prop
     }
   }
 }
+
+TEST_CASE("rays whose parts are trimmed to their beginnings come to an end") {
+  const CatalogueSurface& chmutov = *std::ranges::find(catalogue(), "chmutov_18", &CatalogueSurface::id);
+  const ImplicitSurface certified = surface_of(surface_expression(chmutov), chmutov.domain, "certified",
+                                               false, {0}, widest_isa(), "0.00048828125");
+  int hits_seen = 0;
+  for (int n = 0; n < 20; ++n) {
+    CameraWishes wishes;
+    wishes.position = {3 + 0.01 * n, -4, 2};
+    for (const HitStream& hits : picture_of(certified, View(frame(certified.bounds(), wishes, 1), 8, 8)))
+      for (int i = 0; i < kStreamSize; ++i) hits_seen += is_hit(hits, i);
+  }
+  CHECK(hits_seen > 200);
+}
+
+TEST_CASE("a block that nobody wants is not searched") {
+  const ImplicitSurface certified =
+      surface_of(parse_expression("sin(20*x)*sin(20*y)-z"), kBox, "certified", false);
+  const std::unique_ptr<PrimaryPass> pass =
+      certified.primary(View(frame(certified.bounds(), {}, 1), 128, 128));
+  const auto block = std::make_unique<BlockHits>();
+  const auto evaluations = [&](std::stop_token stop) {
+    TraceCounts counts;
+    block->reset(true, std::move(stop));
+    pass->first_hits(0, 0, 0.5, 0.5, *block, counts);
+    return counts.evaluations;
+  };
+  std::stop_source stop;
+  CHECK(evaluations(stop.get_token()) > 1000);
+  stop.request_stop();
+  CHECK(evaluations(stop.get_token()) == 0);
+}

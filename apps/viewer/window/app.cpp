@@ -76,6 +76,7 @@ void App::open(const std::string& input) {
   words.method = "auto";
   words.camera.clear();
   words.set.clear();
+  if (words.aa != "spp") words.aa.clear();  // the others are for formulas
   try {
     session = start_session(words);
   } catch (const InputError& problem) {
@@ -119,7 +120,6 @@ void App::adopt_news() {
 }
 
 void App::take_results() {
-  loop.nudge();
   if (const auto now = loop.news(); now && now != news) {
     news = now;
     adopt_news();
@@ -164,7 +164,7 @@ void App::ask() {
 // Seconds without a frame, unless an event or a result comes: drawing takes the processors from rendering.
 double App::patience() const {
   constexpr double kMoving = 1.0 / 120, kProgress = 1.0 / 20, kResting = 0.25;
-  if (lively_ > 0 || playing || loop.is_behind() || times.frames < 6) return kMoving;
+  if (lively_ > 0 || playing || times.frames < 6) return kMoving;
   return loop.loading() ? kProgress : kResting;
 }
 

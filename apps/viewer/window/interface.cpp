@@ -1,6 +1,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <isocast/apps/viewer/camera_motion.h>
 #include <isocast/apps/viewer/window/panels.h>
 
@@ -52,6 +53,8 @@ void handle_keys(App& app) {
   const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
   if (io.KeyCtrl && pressed(GLFW_KEY_Q)) app.window.close();
   if (pressed(GLFW_KEY_F11)) app.window.toggle_full_screen();
+  if (pressed(GLFW_KEY_ESCAPE) && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup))
+    ImGui::ClosePopupToLevel(0, true);
   if (io.WantTextInput) return;
   if (io.KeyCtrl && pressed(GLFW_KEY_S)) app.save(app.output);
   if (io.KeyCtrl && pressed(GLFW_KEY_C)) app.copy_command();

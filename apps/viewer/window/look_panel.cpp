@@ -3,6 +3,7 @@
 #include <isocast/apps/isocast/parse_values.h>
 #include <isocast/apps/viewer/window/panels.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -53,6 +54,16 @@ void count_slider(const char* label, std::optional<int>& value, int otherwise, i
   if (ImGui::SliderInt(label, &now, lo, hi)) value = now;
 }
 
+// What `--aa` has for the scene: most of it is for formulas.
+std::vector<std::string> ways_of_edges(const App& app) {
+  std::vector<std::string> ways = {"as they are", "samples"};
+  const std::vector<SessionObject>& objects = app.session.objects;
+  const bool formulas = std::ranges::all_of(objects, &SessionObject::is_formula);
+  if (formulas) ways.emplace_back("silhouettes");
+  if (formulas && objects.size() == 1) ways.emplace_back("shares");
+  return ways;
+}
+
 }  // namespace
 
 void look_panel(App& app) {
@@ -82,10 +93,14 @@ void look_panel(App& app) {
 
   std::string edges = words.aa == "spp" || words.spp.value_or(1) > 1 ? "samples"
                       : words.aa == "silhouette"                     ? "silhouettes"
+                      : words.aa == "coverage"                       ? "shares"
                                                                      : "as they are";
   ImGui::SetNextItemWidth(rest_of_width(6));
-  if (choice(app, "look.edges", {"as they are", "samples", "silhouettes"}, edges)) {
-    words.aa = edges == "samples" ? "spp" : edges == "silhouettes" ? "silhouette" : "";
+  if (choice(app, "look.edges", ways_of_edges(app), edges)) {
+    words.aa = edges == "samples"       ? "spp"
+               : edges == "silhouettes" ? "silhouette"
+               : edges == "shares"      ? "coverage"
+                                        : "";
     words.spp.reset();
   }
   ImGui::SameLine();

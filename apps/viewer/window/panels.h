@@ -47,5 +47,7 @@ bool check_box(App& app, const char* name, const char* label, bool& value);
 float rest_of_width(float reserved);
 /// Text that is broken to the panel's width.
 void wrapped(const std::string& text, bool warning = false);
+/// On one line, with dots instead of what does not fit.
+void shortened(std::string text, bool warning = false);
 
 }  // namespace isocast::viewer

@@ -128,10 +128,9 @@ void draw_probe(App& app) {
   const std::string where =
       fmt::format("pixel {}, {}{}{}", probe.x, probe.y, probe.object.empty() ? "" : ", ", probe.object);
   if (!probe.error.empty()) return wrapped(where + ": " + probe.error, true);
-  ImGui::TextUnformatted(fmt::format("{}: {} root{} of the reference{}; errors in {}", where,
-                                     truth.roots.size(), truth.roots.size() == 1 ? "" : "s",
-                                     truth.decided() ? "" : ", not decided everywhere", probe.unit)
-                             .c_str());
+  wrapped(fmt::format("{}: {} root{} of the reference{}; errors in {}", where, truth.roots.size(),
+                      truth.roots.size() == 1 ? "" : "s", truth.decided() ? "" : ", not decided everywhere",
+                      probe.unit));
   app.landmarks.mark("probe.title");
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::BeginChild("table", {0.6f * width, 0});

@@ -18,7 +18,7 @@ namespace {
 
 // What cannot be used on the command line is said before a window opens.
 void check_words(const RenderWords& words) {
-  const SceneDescription description = describe(words);
+  const SceneDescription description = describe_all(words);
   if (const auto* volume = std::get_if<VolumeSource>(&description.objects.front().source))
     if (volume->file.string().find('%') == std::string::npos) (void)map_file(volume->file);
   (void)evaluation_of(words);

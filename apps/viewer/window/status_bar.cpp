@@ -25,8 +25,12 @@ double peak_memory_mb() {
 }  // namespace
 
 void draw_status(App& app) {
-  if (!app.shown)
-    return ImGui::TextUnformatted(app.news->error.empty() ? "no picture yet" : app.news->error.c_str());
+  if (!app.news->error.empty()) {
+    shortened(app.news->error, true);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", app.news->error.c_str());
+    return;
+  }
+  if (!app.shown) return ImGui::TextUnformatted("no picture yet");
   const Picture& picture = *app.shown;
   const RenderCounts& counts = picture.counts;
   const auto rays =
@@ -38,7 +42,7 @@ void draw_status(App& app) {
   const std::string left_out = fmt::format("left out: {}", fmt::join(app.news->left_out, ", "));
   const float room = ImGui::GetContentRegionAvail().x;
   const std::string both = text + "  |  " + left_out;
-  ImGui::TextUnformatted(ImGui::CalcTextSize(both.c_str()).x < room ? both.c_str() : text.c_str());
+  shortened(ImGui::CalcTextSize(both.c_str()).x < room ? both : text);
   app.landmarks.mark("status.text");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", left_out.c_str());
 }

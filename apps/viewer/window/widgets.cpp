@@ -16,6 +16,12 @@ std::optional<double> number_in(const std::string& text) {
   } catch (const InputError&) { return std::nullopt; }
 }
 
+void line(const std::string& text, bool warning) {
+  if (warning) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.55f, 0.4f, 1));
+  ImGui::TextUnformatted(text.c_str());
+  if (warning) ImGui::PopStyleColor();
+}
+
 }  // namespace
 
 bool number_field(App& app, const char* name, double& value, float width) {
@@ -85,11 +91,19 @@ float rest_of_width(float reserved) {
 }
 
 void wrapped(const std::string& text, bool warning) {
-  if (warning) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.55f, 0.4f, 1));
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
+  line(text, warning);
   ImGui::PopTextWrapPos();
-  if (warning) ImGui::PopStyleColor();
+}
+
+void shortened(std::string text, bool warning) {
+  const auto width = [](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x; };
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (width(text) > room) {
+    while (!text.empty() && width(text + "...") > room) text.pop_back();
+    text += "...";
+  }
+  line(text, warning);
 }
 
 }  // namespace isocast::viewer
