@@ -91,9 +91,8 @@ template <class T> struct alignas(64) PixelRoots {
 };
 /// With what it took to find them, and room for the search.
 ///
-/// unwanted  becomes true, atomically, when nobody wants the block any more: a search may leave the rest as
-/// it
-///           is; null: it never does
+/// unwanted  becomes true, atomically, when nobody wants the block any more: a search may then leave the
+///           rest as it is; null: it never does
 template <class T> struct alignas(64) BlockRoots : PixelRoots<T> {
   std::int64_t evaluations;
   const bool* unwanted = nullptr;
