@@ -46,11 +46,15 @@ void set_parameter(RenderWords& words, const std::string& name, double value) {
 // A slider with a number beside it.
 void parameter_row(App& app, const NamedNumber& parameter) {
   double value = parameter_of(app.session.words, parameter.name, parameter.value);
-  const double before = value, reach = std::max(2 * std::abs(parameter.value), 1.0);
+  const double before = value;
+  const auto reach = static_cast<float>(std::max(2 * std::abs(value), 1.0));
   ImGui::PushID(parameter.name.c_str());
-  const double lo = -reach, hi = reach;
+  // a slider's ends follow the value, but not while it is dragged
+  float& ends = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("ends"), reach);
+  const double lo = -ends, hi = ends;
   ImGui::SetNextItemWidth(rest_of_width(9.5f));
   ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &lo, &hi, "");
+  if (!ImGui::IsItemActive()) ends = reach;
   ImGui::SameLine();
   number_field(app, ("param." + parameter.name).c_str(), value, 4.5f * ImGui::GetFontSize());
   ImGui::SameLine();
