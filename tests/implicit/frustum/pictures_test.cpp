@@ -90,7 +90,7 @@ void check_picture(const CatalogueSurface& surface, int step, Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("what the frustum form proves of the catalogue's polynomials is true") {
+TEST_CASE("what the frustum form proves of the catalogue's polynomials is true", "[property]") {
   for (const CatalogueSurface& surface : catalogue()) {
     const auto degree = polynomial_degree(surface_expression(surface)).degree;
     if (!degree) continue;
