@@ -93,7 +93,10 @@ void ImplicitSurface::prepare_frustum() {
   options.iso = options_.iso;
   options.time = options_.time;
   options.finder = method.finder;
-  if (!method.has_form()) options.finder.eps = std::min(options.finder.eps, eps_ / (16 * bounds_.diagonal()));
+  if (!method.has_form()) {
+    options.finder.finder = RootFinder::signs;
+    options.finder.eps = std::min(options.finder.eps, eps_ / (16 * bounds_.diagonal()));
+  }
   options.precision = options_.double_precision                        ? FrustumPrecision::full
                       : options_.mixed_precision || !method.has_form() ? FrustumPrecision::mixed
                                                                        : FrustumPrecision::single;

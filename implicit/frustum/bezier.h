@@ -10,6 +10,17 @@ inline constexpr int kMostFormDegree = 24;
 /// Degrees up to this have loops of their own.
 inline constexpr int kMostUnrolled = 18;
 
+struct Binomials {
+  double of[kMostFormDegree + 1][kMostFormDegree + 1] = {};
+  constexpr Binomials() {
+    for (int n = 0; n <= kMostFormDegree; ++n) {
+      of[n][0] = of[n][n] = 1;
+      for (int k = 1; k < n; ++k) of[n][k] = of[n - 1][k - 1] + of[n - 1][k];
+    }
+  }
+};
+inline constexpr Binomials kBinomials;
+
 }  // namespace isocast
 
 namespace isocast::inline ISO_ISA {
@@ -90,26 +101,9 @@ template <Real R> struct Bezier {
   void keep_left(R s) { loops().keep_left(c, degree, s); }
   void keep_right(R s) { loops().keep_right(c, degree, s); }
 
-  /// The value at s of [0, 1], within 4 degree unit roundoffs of the largest coefficient.
-  R at(R s) const {
-    const R before = R(1) - s;
-    R power = R(1), sum = c[0] * before;
-    Scalar<R> binomial = 1;
-    for (int k = 1; k < degree; ++k) {
-      power = power * s;
-      binomial = binomial * Scalar<R>(degree - k + 1) / Scalar<R>(k);
-      sum = (sum + power * R(binomial) * c[k]) * before;
-    }
-    return sum + power * s * c[degree];
-  }
-  /// The slope at s, from the coefficients' differences.
-  R slope_at(R s) const {
-    Bezier slopes;
-    slopes.degree = degree - 1;
-    slopes.c[0] = R(0);
-    for (int k = 0; k < degree; ++k) slopes.c[k] = R(Scalar<R>(degree)) * (c[k + 1] - c[k]);
-    return degree == 1 ? slopes.c[0] : slopes.at(s);
-  }
+  /// The value at s of [0, 1], and the slope: BezierValues is for more than one.
+  R at(R s) const;
+  R slope_at(R s) const;
   R largest() const {
     R size = abs(c[0]);
     for (int k = 1; k <= degree; ++k) size = max(size, abs(c[k]));
@@ -133,6 +127,37 @@ template <Real R> struct Bezier {
 template <Real R> inline void assign(Bezier<R>& to, Mask<R> where, const Bezier<R>& from) {
   for (int k = 0; k <= to.degree; ++k) to.c[k] = select(where, from.c[k], to.c[k]);
 }
+
+/// A polynomial and its slope anywhere in [0, 1], from coefficients and their differences times binomials.
+template <Real R> class BezierValues {
+ public:
+  explicit BezierValues(const Bezier<R>& p) : degree_(p.degree) {
+    using T = Scalar<R>;
+    const int d = degree_;
+    values_[0] = p.c[0], slopes_[0] = R(T(d)) * (p.c[1] - p.c[0]);
+    for (int k = 1; k <= d; ++k) values_[k] = R(T(kBinomials.of[d][k])) * p.c[k];
+    for (int k = 1; k < d; ++k) slopes_[k] = R(T(d * kBinomials.of[d - 1][k])) * (p.c[k + 1] - p.c[k]);
+  }
+  /// Within 4 degree unit roundoffs of the largest coefficient.
+  R at(R s) const { return sum(values_, degree_, s); }
+  R slope_at(R s) const { return sum(slopes_, degree_ - 1, s); }
+
+ private:
+  static R sum(const R* c, int d, R s) {
+    const R before = R(1) - s;
+    R power = R(1), sum = c[0];
+    for (int k = 1; k <= d; ++k) {
+      power = power * s;
+      sum = sum * before + power * c[k];
+    }
+    return sum;
+  }
+
+  int degree_;
+  R values_[kMostFormDegree + 1], slopes_[kMostFormDegree + 1];
+};
+template <Real R> inline R Bezier<R>::at(R s) const { return BezierValues<R>(*this).at(s); }
+template <Real R> inline R Bezier<R>::slope_at(R s) const { return BezierValues<R>(*this).slope_at(s); }
 
 /// The first zero of the control polygon, s, between coefficients k - 1 and k.
 template <Real R> struct PolygonZero {

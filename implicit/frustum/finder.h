@@ -5,7 +5,8 @@
 
 namespace isocast {
 
-enum class RootFinder : std::uint8_t { lr, mr, lr_mult, mr_mult, schneider, clip };
+/// signs: of `certified`, not from the source
+enum class RootFinder : std::uint8_t { lr, mr, lr_mult, mr_mult, schneider, clip, signs };
 
 /// eps     in the polynomial's parameter
 /// value   stop where |f| < eps^2 of the largest coefficient, or a subdivision's interval is shorter than
@@ -28,10 +29,11 @@ namespace isocast::inline ISO_ISA {
 /// The smallest root in [0, 1], one a lane.
 ///
 /// open   the steps ended before the search did: s is where it stood
+/// sure   of a hit: if signs prove a root beside it, there is no other in front; of a miss: it is proved
 /// steps  subdivisions or inserted knots
 template <Real R> struct FirstRoot {
   R s = R(0);
-  Mask<R> hit = Mask<R>(false), open = Mask<R>(false);
+  Mask<R> hit = Mask<R>(false), open = Mask<R>(false), sure = Mask<R>(false);
   R steps = R(0);
 
   void settle(Mask<R> lanes, R at) {

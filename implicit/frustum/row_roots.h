@@ -3,8 +3,7 @@
 
 #include <isocast/implicit/frustum/find_by_clipping.h>
 #include <isocast/implicit/frustum/find_by_knots.h>
-#include <isocast/implicit/frustum/find_by_parts.h>
-#include <isocast/implicit/frustum/prove_root.h>
+#include <isocast/implicit/frustum/find_by_signs.h>
 #include <isocast/math/native.h>
 
 namespace isocast::inline ISO_ISA {
@@ -26,13 +25,15 @@ inline RootFinder finder_of([[maybe_unused]] const FinderOptions& options) {
 }
 
 template <Real R>
-inline FirstRoot<R> find_first(const Bezier<R>& p, const FinderOptions& options, R eps, Mask<R> active) {
+inline FirstRoot<R> find_first(const Bezier<R>& p, const BezierValues<R>& form, const FinderOptions& options,
+                               R eps, Doubt<R> doubt, Mask<R> active) {
   switch (finder_of(options)) {
     case RootFinder::mr: return find_by_knots<RootFinder::mr>(p, options, eps, active);
     case RootFinder::lr_mult: return find_by_parts<RootFinder::lr_mult>(p, options, eps, active);
     case RootFinder::mr_mult: return find_by_knots<RootFinder::mr_mult>(p, options, eps, active);
     case RootFinder::schneider: return find_by_parts<RootFinder::schneider>(p, options, eps, active);
     case RootFinder::clip: return find_by_clipping(p, options, eps, active);
+    case RootFinder::signs: return find_by_signs(p, form, options, eps, doubt, active);
     default: return find_by_parts<RootFinder::lr>(p, options, eps, active);
   }
 }
@@ -87,9 +88,11 @@ inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& 
     p.c[0] = load<R>(row.c[0] + first);
     for (int k = 1; k <= row.degree; ++k) p.c[k] = load<R>(row.c[k] + first);
     const R size = p.largest(), eps = load<R>(row.eps + first);
-    // what dividing it and evaluating it round
-    const R margin =
-        load<R>(row.margin + first) * R(T(1.0001)) + R(T(11 * row.degree + 8) * kUnitRoundoff<T>) * size;
+    // what evaluating it rounds, and dividing it
+    const Doubt<R> doubt{
+        load<R>(row.margin + first) * R(T(1.0001)) + R(T(4 * row.degree + 8) * kUnitRoundoff<T>) * size,
+        R(T(4 * row.degree) * kUnitRoundoff<T>) * size};
+    const BezierValues<R> form(p);
     const Mask<R> active = lanes_where<R>(all);
     const Mask<R> start = negative(p.c[0]);
     // signs that roundings at the ends have hidden
@@ -105,21 +108,24 @@ inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& 
       T guesses[kWidth<R>];
       for (int l = 0; l < kWidth<R>; ++l) guesses[l] = T(roots.s[first + l]);
       const Mask<R> tried = active & lanes_where<R>(roots.hit + first) & !at_start;
-      if (any(tried)) root = prove_root(p, load<R>(guesses), eps, margin, tried);
+      if (any(tried)) root = prove_root(p, form, load<R>(guesses), eps, doubt, tried);
     }
     const Mask<R> told = root.proved, sought = active & !told;
-    const FirstRoot<R> found = any(sought) ? find_first(p, options, eps, sought) : FirstRoot<R>{};
+    const FirstRoot<R> found =
+        any(sought) ? find_first(p, form, options, eps, doubt, sought) : FirstRoot<R>{};
     const Mask<R> at_end = (sought & !(found.hit | at_start)) & (sign_behind != R(0)) &
                            (negative(sign_behind) != negative(p.c[p.degree]));
     const Mask<R> inside = found.hit & !at_start;
     R s = select(at_start, R(0), select(at_end, R(1), found.s)), lo = max(s - eps, R(0)),
       hi = min(s + eps, R(1));
     if (row.proves) {
-      if (any(inside)) root.replace(inside, prove_root(p, s, eps, margin, inside));
+      if (any(inside)) root.replace(inside, prove_root(p, form, s, eps, doubt, inside, found.sure));
       s = select(told | inside, root.s, s);
       lo = select(told | inside, root.lo, lo), hi = select(told | inside, root.hi, hi);
       const Mask<R> misses = sought & !(found.hit | at_start | at_end);
-      if (any(misses)) root.proved = root.proved | is_empty(p, margin, misses);
+      root.proved = root.proved | (misses & found.sure);
+      const Mask<R> asked = misses & !found.sure;
+      if (any(asked)) root.proved = root.proved | is_empty(p, doubt, asked);
     }
     T values[3][kWidth<R>], steps[kWidth<R>];
     store(values[0], s), store(values[1], lo), store(values[2], hi), store(steps, found.steps);

@@ -12,7 +12,8 @@ using namespace isocast;
 namespace {
 
 constexpr RootFinder kFinders[] = {RootFinder::lr,      RootFinder::mr,        RootFinder::lr_mult,
-                                   RootFinder::mr_mult, RootFinder::schneider, RootFinder::clip};
+                                   RootFinder::mr_mult, RootFinder::schneider, RootFinder::clip,
+                                   RootFinder::signs};
 
 // The polynomial with these roots and no others that are real: a product of lines and of parabolas above
 // zero.
@@ -47,7 +48,8 @@ Bezier<double> product(const std::vector<double>& roots, int pairs, std::mt19937
 }
 
 FirstRoot<double> find(const Bezier<double>& p, RootFinder finder, double eps, bool value = false) {
-  return find_first(p, FinderOptions{finder, eps, value, 64}, eps, true);
+  return find_first(p, BezierValues<double>(p), FinderOptions{finder, eps, value, 64}, eps, Doubt<double>{},
+                    true);
 }
 
 }  // namespace
