@@ -262,27 +262,25 @@ void ImplicitSurface::set_components(const RayStream& rays, HitStream& hits) con
   }
 }
 
-void ImplicitSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
-  if (segment_solver_) return trace_on_device(false, {&rays, 1}, std::array{&hits}, counts);
+void ImplicitSurface::trace_by_inclusion(bool next, const RayStream& rays, HitStream& hits,
+                                         TraceCounts& counts) const {
+  if (options_.double_precision) trace(double_query_, next, rays, hits, counts);
+  else trace(float_query_, next, rays, hits, counts);
+}
+
+void ImplicitSurface::find_hit(bool next, const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
+  if (segment_solver_) return trace_on_device(next, {&rays, 1}, std::array{&hits}, counts);
   const DefaultFloatEnvironment environment;
-  if (frustum_) {
-    frustum_->trace(false, {&rays, 1}, std::array{&hits}, counts);
-    set_components(rays, hits);
-    return;
-  }
-  if (options_.double_precision) trace(double_query_, false, rays, hits, counts);
-  else trace(float_query_, false, rays, hits, counts);
+  if (forms_) return trace_certified(next, rays, hits, counts);
+  if (!frustum_) return trace_by_inclusion(next, rays, hits, counts);
+  frustum_->trace(next, {&rays, 1}, std::array{&hits}, counts);
+  set_components(rays, hits);
+}
+void ImplicitSurface::first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
+  find_hit(false, rays, hits, counts);
 }
 void ImplicitSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const {
-  if (segment_solver_) return trace_on_device(true, {&rays, 1}, std::array{&hits}, counts);
-  const DefaultFloatEnvironment environment;
-  if (frustum_) {
-    frustum_->trace(true, {&rays, 1}, std::array{&hits}, counts);
-    set_components(rays, hits);
-    return;
-  }
-  if (options_.double_precision) trace(double_query_, true, rays, hits, counts);
-  else trace(float_query_, true, rays, hits, counts);
+  find_hit(true, rays, hits, counts);
 }
 
 // for device_trace.cpp

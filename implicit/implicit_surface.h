@@ -61,7 +61,7 @@ class ImplicitSurface final : public Surface {
   [[nodiscard]] bool proves() const override { return options_.method.proves(); }
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
   /// Whether certified takes the frustum form for its pictures, where that sees the domain large enough, and
-  /// not the tree of beams.
+  /// not the tree of beams; other rays have polynomials of their own then.
   [[nodiscard]] bool takes_forms() const { return forms_ != nullptr; }
   /// Whatever the method.
   [[nodiscard]] std::unique_ptr<CoveragePass> coverage(const View& view) const override;
@@ -97,6 +97,9 @@ class ImplicitSurface final : public Surface {
   template <class T>
   void trace(const FormulaQuery<T>& query, bool next, const RayStream& rays, HitStream& hits,
              TraceCounts& counts) const;
+  void trace_by_inclusion(bool next, const RayStream& rays, HitStream& hits, TraceCounts& counts) const;
+  void trace_certified(bool next, const RayStream& rays, HitStream& hits, TraceCounts& counts) const;
+  void find_hit(bool next, const RayStream& rays, HitStream& hits, TraceCounts& counts) const;
   template <class T>
   void trace_on_device(const FormulaQuery<T>& query, bool next, std::span<const RayStream> rays,
                        std::span<HitStream* const> hits, TraceCounts& counts) const;
