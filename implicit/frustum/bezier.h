@@ -141,6 +141,18 @@ template <Real R> class BezierValues {
   /// Within 4 degree unit roundoffs of the largest coefficient.
   R at(R s) const { return sum(values_, degree_, s); }
   R slope_at(R s) const { return sum(slopes_, degree_ - 1, s); }
+  /// Both, with the bits of each.
+  void find(R s, R& value, R& slope) const {
+    const R before = R(1) - s;
+    R power = R(1);
+    value = values_[0], slope = slopes_[0];
+    for (int k = 1; k < degree_; ++k) {
+      power = power * s;
+      value = value * before + power * values_[k];
+      slope = slope * before + power * slopes_[k];
+    }
+    value = value * before + power * s * values_[degree_];
+  }
 
  private:
   static R sum(const R* c, int d, R s) {

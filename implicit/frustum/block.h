@@ -66,14 +66,23 @@ template <class T, class C> class FrustumBlock {
 
   // Least and largest coefficient of every depth.
   void find_hull(const double* b, double* lo, double* hi) const {
+    constexpr int kLanes = kWidth<Wide>;
     const int row = shape_.row(), n = shape_.across + 1;
+    double place[kLanes];
+    for (int l = 0; l < kLanes; ++l) place[l] = l;
     for (int k = 0; k <= shape_.along; ++k) {
-      lo[k] = kInfinity<double>, hi[k] = -kInfinity<double>;
-      for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-          const double c = b[j * shape_.sheet() + k * row + i];
-          lo[k] = min(c, lo[k]), hi[k] = max(c, hi[k]);
+      Wide least = Wide(kInfinity<double>), most = Wide(-kInfinity<double>);
+      for (int x = 0; x < n; x += kLanes) {
+        const Mask<Wide> there = load<Wide>(place) < Wide(n - x);  // not what fills up the row
+        for (int j = 0; j < n; ++j) {
+          const Wide c = load<Wide>(b + j * shape_.sheet() + k * row + x);
+          least = select(there, min(c, least), least), most = select(there, max(c, most), most);
         }
+      }
+      double ends[2][kLanes];
+      store(ends[0], least), store(ends[1], most);
+      lo[k] = ends[0][0], hi[k] = ends[1][0];
+      for (int l = 1; l < kLanes; ++l) lo[k] = min(ends[0][l], lo[k]), hi[k] = max(ends[1][l], hi[k]);
     }
   }
 

@@ -19,22 +19,23 @@ template <Real R> struct SignChanges {
   explicit SignChanges(const Bezier<R>& p) {
     using T = Scalar<R>;
     const Mask<R> start = negative(p.c[0]);
-    const T step = T(1) / T(p.degree);
-    R before = R(0), behind = R(1), last = R(0), most = R(-1);
+    const R step = R(T(1) / T(p.degree)), one = R(1);
+    R before = R(0), behind = one, last = R(0), most = R(-1), place = R(0);
     for (int k = 1; k <= p.degree; ++k) {
       const Mask<R> other = negative(p.c[k]) != start, begins = other & !some;
       before = select(begins, p.c[k - 1], before), behind = select(begins, p.c[k], behind);
-      last = select(begins, R(T(k - 1)), last);
+      last = select(begins, place, last);
+      place = place + one;
       some = some | other;
       more = more | (some & !other);
       const R size = abs(p.c[k]);
       const Mask<R> farther = other & (!more) & (size > most);
       most = select(farther, size, most);
-      turn = select(farther, R(T(k)), turn);
+      turn = select(farther, place, turn);
     }
     const R share = before / (before - behind);
-    zero = (last + select(share == share, share, R(0))) * R(step);
-    turn = turn * R(step);
+    zero = (last + select(share == share, share, R(0))) * step;
+    turn = turn * step;
   }
 };
 
@@ -111,10 +112,11 @@ inline FirstRoot<R> find_by_signs(const Bezier<R>& whole, const BezierValues<R>&
   constexpr int kMostSteps = 8;
   R lo = piece.from, hi = piece.to;
   for (int i = 0; i < kMostSteps && any(isolated); ++i) {
-    const R value = values.at(root.s);
+    R value, slope;
+    values.find(root.s, value, slope);
     const Mask<R> before = negative(value) == start;
     lo = select(isolated & before, root.s, lo), hi = select(isolated & !before, root.s, hi);
-    R next = root.s - value / values.slope_at(root.s);
+    R next = root.s - value / slope;
     next = select((next >= lo) & (next <= hi), next, R(T(0.5)) * (lo + hi));
     const R step = abs(next - root.s);
     root.s = select(isolated, next, root.s);

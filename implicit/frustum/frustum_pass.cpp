@@ -85,10 +85,11 @@ struct Receiver {
     const int tx = bx * kBlockTiles + first_x + x, ty = by * kBlockTiles + first_y + y;
     const int left = tx * kTileSize, top = ty * kTileSize;
     if (open) open->begin(view, tx, ty, offset_u, offset_v, tile);
+    for (int i = 0; i < kStreamSize; ++i) tile.cost[i] += static_cast<std::uint32_t>(roots.steps[i]);
     for (int i = 0; i < kStreamSize; ++i) {
+      if (roots.proved[i] && !roots.hit[i]) continue;
       const int p = i / 16, l = i % 16, px = left + p % 4 * 4 + l % 4, py = top + p / 4 * 4 + l / 4;
       if (px >= view.width() || py >= view.height()) continue;
-      tile.cost[i] += static_cast<std::uint32_t>(roots.steps[i]);
       if (open && !roots.proved[i]) {
         open->add(i, 0, counts);
         continue;

@@ -53,15 +53,21 @@ inline ProvedRoot<R> prove_root(const Bezier<R>& p, const BezierValues<R>& value
   const R rounding = R(T(8) * kUnitRoundoff<T>);
   ProvedRoot<R> root{s, s, s, Mask<R>(false)};
   const R low = max(s - eps, R(0)), high = min(s + eps, R(1));
-  R slope = R(0), value = R(0);
-  for (int i = 0; i < 2; ++i) {
-    value = values.at(root.s);
-    slope = values.slope_at(root.s);
-    const R next = root.s - value / slope;
-    root.s = select(active & (next == next), min(max(next, low), high), root.s);
+  constexpr T kClose = sizeof(T) == 4 ? T(0x1p-12) : T(0x1p-26);  // a step's error is about its square
+  R slope = R(0);
+  Mask<R> far = active;
+  for (int i = 0; i < 2 && any(far); ++i) {
+    R value, here;
+    values.find(root.s, value, here);
+    slope = select(far, here, slope);
+    const R next = root.s - value / here, there = min(max(next, low), high);
+    const Mask<R> moves = far & (next == next);
+    far = moves & (abs(there - root.s) > R(kClose));
+    root.s = select(moves, there, root.s);
   }
   // far enough for the signs to be sure
   const R clearance = R(T(2)) * (margin + abs(values.at(root.s))) / abs(slope) + rounding;
+  Mask<R> starts = Mask<R>(false);  // on the side of 0
   R reach = select(clearance == clearance, min(clearance, eps + rounding), eps + rounding);
   for (int i = 0; i < 2; ++i) {
     const Mask<R> open = active & !root.proved;
@@ -69,12 +75,13 @@ inline ProvedRoot<R> prove_root(const Bezier<R>& p, const BezierValues<R>& value
     root.lo = select(open, max(root.s - reach, R(0)), root.lo);
     root.hi = select(open, min(root.s + reach, R(1)), root.hi);
     const R before = values.at(root.lo), behind = values.at(root.hi);
-    root.proved = root.proved | (open & (abs(before) > margin) & (abs(behind) > margin) &
-                                 (negative(before) != negative(behind)));
+    const Mask<R> differs =
+        open & (abs(before) > margin) & (abs(behind) > margin) & (negative(before) != negative(behind));
+    starts = starts | (differs & (negative(before) == negative(p.c[0])));
+    root.proved = root.proved | differs;
     reach = max(R(T(8)) * reach, eps);
   }
-  const Mask<R> known = root.proved & sure & (negative(values.at(root.lo)) == negative(p.c[0])),
-                asked = root.proved & !known;
+  const Mask<R> known = root.proved & sure & starts, asked = root.proved & !known;
   if (any(asked)) {
     Bezier<R> before = p;
     before.keep_left(root.lo);

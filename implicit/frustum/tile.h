@@ -54,7 +54,7 @@ template <class T, class C> class FrustumTile {
 
     // the form as numbers of C, the rows of i side by side
     const int n = shape_.across + 1, d = shape_.along, sheet = (d + 1) * n, row = shape_.row();
-    constexpr int kPad = 16;
+    constexpr int kPad = 32;
     const int filled = (sheet + kPad - 1) / kPad * kPad;
     C* const form = reinterpret_cast<C*>(free);
     const double size = largest(b, shape_.size()), scale = sizeof(T) == 4 ? inverse_power_of_two(size) : 1.0;
@@ -87,10 +87,17 @@ template <class T, class C> class FrustumTile {
   // The form along one row of pixels, or its slope across.
   static void sum_rows(const C* form, const Weights& weights, int n, int filled, int y, C* sums) {
     using R = Native<C>;
-    for (int x = 0; x < filled; x += kWidth<R>) {
-      R sum = R(weights[0][y]) * load<R>(form + x);
-      for (int j = 1; j < n; ++j) sum = sum + R(weights[j][y]) * load<R>(form + j * filled + x);
-      store(sums + x, sum);
+    // side by side, so that no sum waits for itself
+    constexpr int kPacks = 32 / kWidth<R>;
+    for (int x = 0; x < filled; x += 32) {
+      R sum[kPacks];
+      for (int p = 0; p < kPacks; ++p) sum[p] = R(weights[0][y]) * load<R>(form + x + p * kWidth<R>);
+      for (int j = 1; j < n; ++j) {
+        const R weight = R(weights[j][y]);
+        for (int p = 0; p < kPacks; ++p)
+          sum[p] = sum[p] + weight * load<R>(form + j * filled + x + p * kWidth<R>);
+      }
+      for (int p = 0; p < kPacks; ++p) store(sums + x + p * kWidth<R>, sum[p]);
     }
   }
 
@@ -143,18 +150,31 @@ template <class T, class C> class FrustumTile {
       active[x] = active[x] && length[x] > 0;
     }
     C c[kMostFormDegree + 1][kRow];
-    for (int first = 0; first < kRow; first += kWidth<R>) {
+    constexpr int kPacks = kRow / kWidth<R>;
+    // two depths at once, so that no sum waits for itself
+    for (int k = 0; k <= d; k += 2) {
+      const int other = k < d ? k + 1 : k;
+      R sum[kPacks], next[kPacks];
+      for (int p = 0; p < kPacks; ++p) {
+        const R weight = load<R>(weights_u_[0] + p * kWidth<R>);
+        sum[p] = weight * R(sums[k * n]), next[p] = weight * R(sums[other * n]);
+      }
+      for (int i = 1; i < n; ++i) {
+        const R here = R(sums[k * n + i]), there = R(sums[other * n + i]);
+        for (int p = 0; p < kPacks; ++p) {
+          const R weight = load<R>(weights_u_[i] + p * kWidth<R>);
+          sum[p] = sum[p] + weight * here, next[p] = next[p] + weight * there;
+        }
+      }
+      for (int p = 0; p < kPacks; ++p)
+        store(c[k] + p * kWidth<R>, sum[p]), store(c[other] + p * kWidth<R>, next[p]);
+    }
+    for (int first = 0; first < kRow && !whole; first += kWidth<R>) {
       Bezier<R> p;
       p.degree = d;
-      for (int k = 0; k <= d; ++k) {
-        R sum = load<R>(weights_u_[0] + first) * R(sums[k * n]);
-        for (int i = 1; i < n; ++i) sum = sum + load<R>(weights_u_[i] + first) * R(sums[k * n + i]);
-        p.c[k] = sum;
-      }
-      if (!whole) {
-        p.keep_left(load<R>(tail + first));
-        p.keep_right(load<R>(head + first));
-      }
+      for (int k = 0; k <= d; ++k) p.c[k] = load<R>(c[k] + first);
+      p.keep_left(load<R>(tail + first));
+      p.keep_right(load<R>(head + first));
       for (int k = 0; k <= d; ++k) store(c[k] + first, p.c[k]);
     }
     for (int iso = 0; iso < query_.iso_count; ++iso)
