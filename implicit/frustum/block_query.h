@@ -50,10 +50,10 @@ struct FrustumQuery {
 };
 
 /// Roots of a tile's rays in View::fill's order: depth s with its bracket. proved: the hit, or where `hit` is
-/// not set that there is none. normal, of hits, where asked for: x and y of the unit normal in world space
-/// with z >= 0; NaN where the form's gradient vanishes.
+/// not set that there is none. length: the ray's in world space, of depth 1. normal, of hits, where asked
+/// for: x and y of the unit normal in world space with z >= 0; NaN where the form's gradient vanishes.
 struct TileRoots {
-  double s[kStreamSize], lo[kStreamSize], hi[kStreamSize];
+  double s[kStreamSize], lo[kStreamSize], hi[kStreamSize], length[kStreamSize];
   double normal[2][kStreamSize];
   std::uint32_t sides[kStreamSize];
   float steps[kStreamSize];

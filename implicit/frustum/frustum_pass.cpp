@@ -70,7 +70,6 @@ Box box_of(const FrustumQuery& query) {
 // Roots of tiles become hits; rays that are doubtful are gathered, where somebody solves them.
 struct Receiver {
   const View& view;
-  const PixelLines& lines;
   const FrustumOptions& options;
   int bx, by;            // the block
   int first_x, first_y;  // tile of it that the form begins with
@@ -98,13 +97,7 @@ struct Receiver {
         if (!roots.proved[i] && options.proves) tile.certificate[i] = Certificate::undecided;
         continue;
       }
-      const double u = px + offset_u, v = py + offset_v;
-      double squared = 0;
-      for (int a = 0; a < 3; ++a) {
-        const double d = lines.d[a] + u * lines.d_u[a] + v * lines.d_v[a];
-        squared += d * d;
-      }
-      const double length = std::sqrt(squared), t = roots.s[i] * length;
+      const double length = roots.length[i], t = roots.s[i] * length;
       if (!(t < tile.t[i])) continue;
       if (open && (roots.hi[i] - roots.lo[i]) * length > longest) {
         open->add(i, 0, counts);
@@ -194,8 +187,8 @@ void FrustumPass::first_hits(int bx, int by, double offset_u, double offset_v, B
       query.s0 = depths->near, query.s1 = depths->far;
       if (options_.proves)
         query.rounding = rounding_bound(tape_, box_of(query), options_.time, position_slack_);
-      Receiver receiver{view_,    lines_,   options_,          bx,   by,   x,     y,
-                        offset_u, offset_v, doubtful_.longest, open, hits, counts};
+      Receiver receiver{view_,    options_,          bx,   by,   x,     y, offset_u,
+                        offset_v, doubtful_.longest, open, hits, counts};
       kernels.solve_block[static_cast<int>(options_.precision)](
           query, scratch_of(frustum_scratch(query)), registers_of(tape_.registers * kernels.register_bytes),
           work, &receiver, [](void* context, int tx, int ty, const TileRoots& roots) {

@@ -42,10 +42,11 @@ template <class T, class C> class FrustumTile {
   const TileRoots* solve(const FrustumPart& part, const double* b, double margin, double* free,
                          FrustumCounts& counts) {
     const double span = query_.s1 - query_.s0;
-    double begin[kTile][kRow], end[kTile][kRow], least = kInfinity<double>, most = -kInfinity<double>;
+    double begin[kTile][kRow], end[kTile][kRow], lengths[kTile][kRow], least = kInfinity<double>,
+                                                                       most = -kInfinity<double>;
     for (int y = 0; y < kTile; ++y) {
       clip_row(query_, query_.u0 + part.x * kTile, query_.v0 + part.y * kTile + y + query_.offset_v, begin[y],
-               end[y]);
+               end[y], lengths[y]);
       for (int x = 0; x < kRow; ++x)
         if (begin[y][x] < end[y][x]) least = min(begin[y][x], least), most = max(end[y][x], most);
     }
@@ -71,6 +72,7 @@ template <class T, class C> class FrustumTile {
       C *const sums = form + n * filled, *const slopes = sums + filled;
       sum_rows(form, weights_v_, n, filled, y, sums);
       solve_row(part, sums, n, y, begin[y], end[y], s0, s1, counts);
+      for (int x = 0; x < kRow; ++x) roots_.length[slot_of(x, y)] = lengths[y][x];
       if (!query_.normals || !is_hit_in_row(y)) continue;
       sum_rows(form, slopes_v_, n, filled, y, slopes);
       const double v = query_.v0 + part.y * kTile + y + query_.offset_v;
