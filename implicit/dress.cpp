@@ -91,7 +91,7 @@ void ImplicitSurface::dress(const RayStream& rays, const HitStream& hits, const 
     if (!wishes.normal || made[i]) continue;
     const Double3 normal =
         options_.normals != NormalKind::difference
-            ? normalized({points.gradient[0][n], points.gradient[1][n], points.gradient[2][n]})
+            ? Double3{points.normal[0][n], points.normal[1][n], points.normal[2][n]}
             : difference_normal({points.position[0][n], points.position[1][n], points.position[2][n]},
                                 hits.t[i] * length({rays.dx[i], rays.dy[i], rays.dz[i]}));
     put_normal(rays, i, normal, dressed);

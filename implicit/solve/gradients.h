@@ -10,7 +10,7 @@ namespace isocast::inline ISO_ISA {
 /// Points that are worked on at once; a register of the tape holds so many Gradient<R>.
 template <Real R> inline constexpr int kGradientPacks = kSlots / kWidth<R>;
 
-/// Fills value and gradient of `points`.
+/// Fills value, gradient and normal of `points`.
 template <Real R>
 ISO_HD inline void find_gradients(const TapeView& tape, double time, GradientStream& points,
                                   void* registers) {
@@ -31,9 +31,11 @@ ISO_HD inline void find_gradients(const TapeView& tape, double time, GradientStr
     for (int p = 0; p < packs; ++p) {
       const int at = first + p * kWidth<R>;
       store(points.value + at, f[p].value);
-      store(points.gradient[0] + at, f[p].dx);
-      store(points.gradient[1] + at, f[p].dy);
-      store(points.gradient[2] + at, f[p].dz);
+      const R g[3] = {f[p].dx, f[p].dy, f[p].dz}, size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+      for (int a = 0; a < 3; ++a) {
+        store(points.gradient[a] + at, g[a]);
+        store(points.normal[a] + at, select(size > R(0), g[a] / size, g[a]));
+      }
     }
   }
 }

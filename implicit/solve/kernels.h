@@ -26,9 +26,10 @@ enum class FormulaMethod : std::uint8_t {
 };
 inline constexpr int kSolverCount = 6, kFormulaMethodCount = 12;
 
-/// f and its gradient at the first `size` positions; the other numbers are not used but must be there.
+/// f, its gradient and that with length 1 (or 0) at the first `size` positions; the other numbers are not
+/// used but must be there.
 struct alignas(64) GradientStream {
-  double position[3][kStreamSize], value[kStreamSize], gradient[3][kStreamSize];
+  double position[3][kStreamSize], value[kStreamSize], gradient[3][kStreamSize], normal[3][kStreamSize];
   int size;
 };
 

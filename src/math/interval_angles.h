@@ -98,14 +98,20 @@ template <Real R> ISO_HD inline Interval<R> chebyshev(const Interval<R>& a, int 
   if (n == 0) return decorated_as(a, R(1), R(1));
   const R one = R(1);
   const Interval<R> inner = cos(enclosed<R>(n, true) * acos(cut(a, -one, one)));
-  Interval<R> right = chebyshev_beyond_1(max(a.hi, one), n), left = chebyshev_beyond_1(max(-a.lo, one), n);
-  right.lo = select(a.lo > one, chebyshev_beyond_1(max(a.lo, one), n).lo, one);
-  left.lo = select(a.hi < -one, chebyshev_beyond_1(max(-a.hi, one), n).lo, one);
-  if (n % 2) left = -left;
   const Mask<R> on_right = a.hi > one, on_left = a.lo < -one, inside = (a.lo <= one) & (a.hi >= -one);
+  // of numbers that are at least 1 in size, from `least` to `most`
+  const auto beyond = [&](Mask<R> there, R least, R most) {
+    Interval<R> y(one);
+    if (any(there)) y = chebyshev_beyond_1(max(most, one), n);
+    const Mask<R> apart = least > one;
+    y.lo = any(apart) ? select(apart, chebyshev_beyond_1(max(least, one), n).lo, one) : one;
+    return y;
+  };
+  const Interval<R> right = beyond(on_right, a.lo, a.hi), left = beyond(on_left, -a.hi, -a.lo),
+                    mirrored = n % 2 ? -left : left;
   R lo = select(inside, inner.lo, R(kInfinity<Scalar<R>>)), hi = select(inside, inner.hi, -lo);
   lo = select(on_right, min(lo, right.lo), lo), hi = select(on_right, max(hi, right.hi), hi);
-  lo = select(on_left, min(lo, left.lo), lo), hi = select(on_left, max(hi, left.hi), hi);
+  lo = select(on_left, min(lo, mirrored.lo), lo), hi = select(on_left, max(hi, mirrored.hi), hi);
   return decorated_as(a, lo, hi);
 }
 

@@ -22,29 +22,25 @@ void write_layers(const Frame& frame, const Wave& wave, Film& film, RenderCounts
   const RayStream& rays = wave.rays;
   const HitStream& hits = *wave.hits;
   const DressedHits& dressed = wave.dressed;
-  if (!film.has_layers() && !frame.proves) {
-    int found = 0, all = 0;
-    for (int i = 0; i < rays.size; ++i) {
-      found += is_hit(hits, i);
-      all += is_ray(rays, i);
-    }
-    counts.hits += found;
-    counts.misses += all - found;
-    return;
+  int found = 0, all = 0, undecided = 0;
+  for (int i = 0; i < rays.size; ++i) {
+    const bool there = is_ray(rays, i);
+    found += there && is_hit(hits, i);
+    undecided += there && frame.proves && hits.certificate[i] == Certificate::undecided;
+    all += there;
   }
+  counts.hits += found;
+  counts.misses += all - found;
+  counts.undecided += undecided;
+  if (!film.has_layers()) return;
   LitSurfaces surfaces;
   if (film.has(Layer::albedo)) find_surfaces(frame, wave, surfaces);
   for (int i = 0; i < rays.size; ++i) {
     if (!is_ray(rays, i)) continue;
     const std::uint32_t id = rays.id[i];
-    counts.undecided += hits.certificate[i] == Certificate::undecided;
     if (film.has(Layer::certificate)) *film.at(Layer::certificate, id) = layer_value(hits.certificate[i]);
     if (film.has(Layer::cost)) *film.at(Layer::cost, id) = static_cast<float>(hits.cost[i]);
-    if (!is_hit(hits, i)) {
-      ++counts.misses;
-      continue;
-    }
-    ++counts.hits;
+    if (!is_hit(hits, i)) continue;
     const Double3 d = direction_of(rays, i);
     if (film.has(Layer::depth)) *film.at(Layer::depth, id) = static_cast<float>(hits.t[i] * length(d));
     if (film.has(Layer::z))

@@ -6,6 +6,7 @@
 #include <isocast/implicit/expression/parse.h>
 #include <isocast/implicit/implicit_surface.h>
 #include <test_size.h>
+#include <volume/rays.h>
 
 #include <catch2/catch.hpp>
 #include <vector>
@@ -91,7 +92,8 @@ TEST_CASE("trees of beams prove what single rays prove", "[property]") {
         ++hits_seen;
         REQUIRE(h.t_lo[i] <= h.t[i]);
         REQUIRE(h.t[i] <= h.t_hi[i]);
-        // in single precision the end is put off where roundings hide f's side: a ray in a million has 1.5 eps
+        // in single precision the end is put off where roundings hide f's side: a ray in a million has 1.5
+        // eps
         REQUIRE(h.t_hi[i] - h.t_lo[i] <= (1 + 1e-3) * 4 * kEps * (precise ? 1 : 2));
         REQUIRE(h.t_lo[i] <= b.t_hi[i]);
         REQUIRE(b.t_lo[i] <= h.t_hi[i]);
@@ -147,6 +149,81 @@ TEST_CASE("certified pictures of the catalogue agree with the reference", "[prop
           });
     }
   }
+}
+
+// Rays from anywhere near a box, half of them from inside.
+std::unique_ptr<Streams> rays_near(const Box& box, std::mt19937_64& random, int size) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  auto s = make_streams();
+  for (int i = 0; i < size; ++i) {
+    Double3 o, target;
+    for (int a = 0; a < 3; ++a) {
+      const double half = 0.5 * (box.hi[a] - box.lo[a]), middle = box.center()[a];
+      o[a] = middle + half * unit(random) * (i % 2 ? 1 : 3);
+      target[a] = middle + half * unit(random);
+    }
+    add_ray(s->rays, o, target - o);
+  }
+  return s;
+}
+
+TEST_CASE("other rays of certified cross what the reference crosses, one after the other", "[property]") {
+  std::mt19937_64 random(21);
+  const int size = static_cast<int>(cases(24, kStreamSize));
+  std::int64_t crossings = 0, rays_seen = 0, open = 0;
+  for (const CatalogueSurface& surface : catalogue()) {
+    const Expression expression = surface_expression(surface);
+    if (!surface_of(expression, surface.domain, "certified", false).takes_forms()) continue;
+    const FormulaReference reference(expression, 0, 0);
+    for (const bool precise : {false, true}) {
+      INFO(surface.id << (precise ? " double" : " float"));
+      const ImplicitSurface certified = surface_of(expression, surface.domain, "certified", precise);
+      const auto s = rays_near(certified.bounds(), random, size);
+      constexpr int kMostHits = 12;
+      std::vector<HitStream> chain(1, first_hits(certified, s->rays));
+      TraceCounts counts;
+      while (chain.size() < kMostHits) {
+        chain.push_back(chain.back());
+        certified.next_hit(s->rays, chain.back(), counts);
+      }
+      for (const Isa isa : available_isas()) {
+        const ImplicitSurface other = surface_of(expression, surface.domain, "certified", precise, {0}, isa);
+        HitStream hits = first_hits(other, s->rays);
+        for (const HitStream& expected : chain) {
+          if (&expected != chain.data()) other.next_hit(s->rays, hits, counts);
+          require_same_bits(expected, hits, size);
+        }
+      }
+      for (int i = 0; i < size; ++i) {
+        const Double3 o = origin_of(s->rays, i), d = direction_of(s->rays, i);
+        const Reach range = range_inside(certified.bounds(), o, d);
+        if (range.empty()) continue;
+        const FormulaRoots truth = reference.solve(o, d, range.lo, range.hi, {});
+        if (!truth.decided()) continue;
+        ++rays_seen;
+        INFO(std::hexfloat << o[0] << " " << o[1] << " " << o[2] << " towards " << d[0] << " " << d[1] << " "
+                           << d[2]);
+        std::size_t root = 0;
+        for (const HitStream& hits : chain) {
+          if (hits.certificate[i] == Certificate::undecided) {
+            ++open;
+            break;
+          }
+          if (!is_hit(hits, i)) {
+            REQUIRE(root == truth.roots.size());
+            break;
+          }
+          if (!range.holds(hits.t_lo[i], hits.t_hi[i])) break;
+          REQUIRE(root < truth.roots.size());
+          REQUIRE(truth.roots[root].hi >= hits.t_lo[i]);
+          REQUIRE(truth.roots[root].lo <= hits.t_hi[i]);
+          ++root, ++crossings;
+        }
+      }
+    }
+  }
+  CHECK(crossings > rays_seen);
+  CHECK(open < 0.02 * static_cast<double>(rays_seen));
 }
 
 TEST_CASE("rays whose parts are trimmed to their beginnings come to an end") {
