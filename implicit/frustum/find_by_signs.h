@@ -102,7 +102,11 @@ inline FirstRoot<R> find_by_signs(const Bezier<R>& whole, const BezierValues<R>&
     const Mask<R> crosses = negative(left.c[left.degree]) != start, first = left.changes_sign();
     sure = sure & !(active & (!first) & !left.keeps_sign(doubt.margin));
     const Mask<R> both = active & first & !crosses;
-    if (any(both)) root.open = root.open | waiting.push(both, right, middle, piece.to);
+    if (any(both)) {
+      const Mask<R> lost = waiting.push(both, right, middle, piece.to);
+      root.open = root.open | lost;
+      sure = sure & !lost;
+    }
     assign(piece.p, active & first, left);
     assign(piece.p, active & !first, right);
     piece.to = select(active & first, middle, piece.to);
