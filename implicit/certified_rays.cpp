@@ -1,5 +1,6 @@
 // Rays of `certified` that no picture orders, where it takes forms: each by its own polynomial, and those of
 // which that proves nothing by inclusion.
+#include <isocast/implicit/copy_ray.h>
 #include <isocast/implicit/implicit_surface.h>
 
 #include <array>
@@ -20,10 +21,7 @@ struct RaysLeft {
   }
   void add(const RayStream& from, const HitStream& before, int i) {
     const int n = rays.size++;
-    rays.ox[n] = from.ox[i], rays.oy[n] = from.oy[i], rays.oz[n] = from.oz[i];
-    rays.dx[n] = from.dx[i], rays.dy[n] = from.dy[i], rays.dz[n] = from.dz[i];
-    rays.t_min[n] = from.t_min[i], rays.t_max[n] = from.t_max[i];
-    rays.start_object[n] = from.start_object[i], rays.start_sides[n] = from.start_sides[i];
+    copy_ray(from, i, rays, n);
     copy_slot(before, i, hits, n);
     slot[n] = i;
   }

@@ -1,3 +1,4 @@
+#include <isocast/implicit/copy_ray.h>
 #include <isocast/implicit/open_rays.h>
 #include <isocast/render/camera.h>
 
@@ -23,9 +24,8 @@ void OpenRays::add(int i, double from, TraceCounts& counts) {
   if (!filled_) view_->fill(tx_, ty_, offset_u_, offset_v_, tile_);
   filled_ = true;
   const int n = rays_.size++;
-  rays_.ox[n] = tile_.ox[i], rays_.oy[n] = tile_.oy[i], rays_.oz[n] = tile_.oz[i];
-  rays_.dx[n] = tile_.dx[i], rays_.dy[n] = tile_.dy[i], rays_.dz[n] = tile_.dz[i];
-  rays_.t_min[n] = std::max(tile_.t_min[i], from), rays_.t_max[n] = tile_.t_max[i];
+  copy_ray(tile_, i, rays_, n);
+  rays_.t_min[n] = std::max(tile_.t_min[i], from);
   rays_.start_object[n] = kNoObject, rays_.start_sides[n] = 0;
   to_[n] = tile_hits_, slot_[n] = i;
   if (rays_.size == kStreamSize) solve(counts);

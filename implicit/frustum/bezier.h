@@ -10,6 +10,7 @@ inline constexpr int kMostFormDegree = 24;
 /// Degrees up to this have loops of their own.
 inline constexpr int kMostUnrolled = 18;
 
+/// of[n][k]: n over k, exact.
 struct Binomials {
   double of[kMostFormDegree + 1][kMostFormDegree + 1] = {};
   constexpr Binomials() {

@@ -54,9 +54,8 @@ template <Real R> inline Mask<R> has_one_root(const Bezier<R>& p, R margin) {
 
 /// doubt   of the coefficients, for `sure`
 /// source  Collins, Akritas: Polynomial real root isolation using Descartes' rule of signs, SYMSAC 1976, in
-/// Bernstein
-///         form after Lane, Riesenfeld: Bounds on a polynomial, BIT 21, 1981; parts are divided where the
-///         polygon is farthest on the other side
+///         Bernstein form after Lane, Riesenfeld: Bounds on a polynomial, BIT 21, 1981; where parts are
+///         divided, and what is proved by the way, is ours
 template <Real R>
 inline FirstRoot<R> find_by_signs(const Bezier<R>& whole, const BezierValues<R>& values,
                                   const FinderOptions& options, R eps, Doubt<R> doubt, Mask<R> active) {
