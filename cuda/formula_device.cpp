@@ -43,7 +43,7 @@ class Solver final : public SegmentSolver {
   std::shared_ptr<const Kernel> kernel_;
 };
 
-enum RayFormBuffer { kRays, kRayRoots, kPoints, kFromValues, kAtChecks };
+enum RayFormBuffer { kRays, kRayRoots, kPoints, kFromValues, kAtPoints };
 
 class RayForms final : public RayFormSolver {
  public:
@@ -66,8 +66,8 @@ class RayForms final : public RayFormSolver {
       work.query.table = {query.table.degree,
                           copied(kPoints, query.table.points, points),
                           copied(kFromValues, query.table.from_values, points * points),
-                          copied(kAtChecks, query.table.at_checks, points * points),
-                          {nullptr, nullptr}};
+                          copied(kAtPoints, query.table.at_points, points * points),
+                          query.table.lebesgue};
       for (std::size_t i = 0; i < n; ++i) queue.upload(from + i, rays[i], sizeof(RayFormStream));
       queue.launch(*kernel_, &work, sizeof work, std::int64_t(n) * kStreamSize);
       for (std::size_t i = 0; i < n; ++i) queue.download(roots[i], to + i, sizeof(RayFormRoots));

@@ -1,7 +1,8 @@
-// A block of the picture: the form of f over it is divided among its tiles as far as it may vanish there.
+// A block of the picture: the form of f over it is divided among its tiles as far as it may vanish there,
+// with degrees across that fall as the parts get smaller.
 #pragma once
 
-#include <isocast/implicit/frustum/patch.h>
+#include <isocast/implicit/frustum/interpolate.h>
 #include <isocast/implicit/frustum/tile.h>
 
 namespace isocast::inline ISO_ISA {
@@ -15,7 +16,6 @@ template <class T, class C> class FrustumBlock {
   FrustumBlock(const FrustumQuery& query, double* scratch, void* registers, FrustumCounts& counts,
                void* context, Found* found)
       : query_(query),
-        shape_{query.across.degree, query.along.degree},
         scratch_(scratch),
         registers_(registers),
         counts_(counts),
@@ -24,79 +24,48 @@ template <class T, class C> class FrustumBlock {
         tile_(query) {}
 
   void solve() {
-    double* const b = scratch_;
-    double* const free = b + shape_.size();
-    interpolate(query_, b, free, registers_);
-    counts_.evaluations += (shape_.across + 1) * (shape_.across + 1) * (shape_.along + 1);
-    const double size = largest(b, shape_.size());
-    if (!(size < kInfinity<double>)) margin_ = kInfinity<double>;
-    else {
-      // halving and trimming round as well
-      margin_ = 0x1p-53 * 64 * (shape_.across + shape_.along + 8) * size;
-      if (query_.check_points) {
-        margin_ += form_error(query_, b, free, registers_) + query_.slack;
-        counts_.evaluations += (query_.degree + 1) * (query_.degree + 1) * (query_.degree + 1);
-      }
-    }
-    visit({0, 0, query_.tiles, 0, 1, {}, {}}, b, free);
+    const int d = query_.along.degree;
+    double* const free = scratch_ + PatchShape{d, d}.size();
+    const BlockForm form = interpolate(query_, double(kUnitRoundoff<T>), scratch_, free, registers_);
+    counts_.evaluations += points_across(d) * (d + 1);
+    negligible_ = form.negligible;
+    visit({0, 0, query_.tiles, 0, 1, {}, {}, form.shape, form.margin}, scratch_, free);
   }
 
  private:
   void visit(FrustumPart part, double* b, double* free) {
     if (!trim(part, b)) return;
     if (part.size == 1) {
-      const TileRoots* const roots = tile_.solve(part, b, margin_, free, counts_);
+      const TileRoots* const roots = tile_.solve(part, b, free, counts_);
       if (roots) found_(context_, part.x, part.y, *roots);
       return;
     }
-    const int half = part.size / 2, n = shape_.across + 1, size = shape_.size();
+    const int half = part.size / 2, size = part.shape.size();
     double *const strip = free, *const child = free + size, *const rest = free + 2 * size;
     for (int v = 0; v < 2; ++v) {
-      combine(strip, b, query_.across.halves[v], n, n, shape_.sheet());
+      halve_v(strip, b, part.shape, query_.across.halves[v]);
       for (int u = 0; u < 2; ++u) {
-        combine_in_rows(child, shape_.row(), strip, shape_.row(), query_.across.halves[u], n, n,
-                        n * (shape_.along + 1));
+        halve_u(child, strip, part.shape, query_.across.halves[u]);
         FrustumPart quarter = part;
         quarter.size = half;
         quarter.x += u * half, quarter.y += v * half;
+        quarter.margin += drop_degrees(child, quarter.shape, negligible_);
         visit(quarter, child, rest);
       }
     }
   }
 
-  // Least and largest coefficient of every depth.
-  void find_hull(const double* b, double* lo, double* hi) const {
-    constexpr int kLanes = kWidth<Wide>;
-    const int row = shape_.row(), n = shape_.across + 1;
-    double place[kLanes];
-    for (int l = 0; l < kLanes; ++l) place[l] = l;
-    for (int k = 0; k <= shape_.along; ++k) {
-      Wide least = Wide(kInfinity<double>), most = Wide(-kInfinity<double>);
-      for (int x = 0; x < n; x += kLanes) {
-        const Mask<Wide> there = load<Wide>(place) < Wide(n - x);  // not what fills up the row
-        for (int j = 0; j < n; ++j) {
-          const Wide c = load<Wide>(b + j * shape_.sheet() + k * row + x);
-          least = select(there, min(c, least), least), most = select(there, max(c, most), most);
-        }
-      }
-      double ends[2][kLanes];
-      store(ends[0], least), store(ends[1], most);
-      lo[k] = ends[0][0], hi[k] = ends[1][0];
-      for (int l = 1; l < kLanes; ++l) lo[k] = min(ends[0][l], lo[k]), hi[k] = max(ends[1][l], hi[k]);
-    }
-  }
-
   // Cuts off what the hull of the coefficients shows to be empty at both ends; false where that is all.
   bool trim(FrustumPart& part, double* b) {
-    double lo[kMostFormDegree + 1], hi[kMostFormDegree + 1];
-    const int d = shape_.along;
-    for (int round = 0; round < 3; ++round) {
-      find_hull(b, lo, hi);
+    double lo[kMostDepths], hi[kMostDepths];
+    const int d = part.shape.along;
+    for (int round = 0; round < kMostCuts; ++round) {
+      find_hull(b, part.shape, lo, hi);
       double first = 1, last = 0;
       FrustumPart::Sides front{}, back{};
       for (int i = 0; i < query_.iso_count; ++i) {
         const auto distance = [&](int k, bool above) {
-          return (above ? lo[k] - query_.iso[i] : query_.iso[i] - hi[k]) - margin_;
+          return (above ? lo[k] - query_.iso[i] : query_.iso[i] - hi[k]) - part.margin;
         };
         // where the hull from one end on reaches zero: 2: never
         const auto reach = [&](int from, int step, bool above) {
@@ -122,7 +91,7 @@ template <class T, class C> class FrustumBlock {
       // room for the roundings of the hull
       first = max(first - 0x1p-40, 0.0), last = min(last + 0x1p-40, 1.0);
       if (!(last - first < 0.75)) return true;
-      cut(b, first, last);
+      cut(b, part.shape, first, last);
       const double length = part.w1 - part.w0;
       if (last < 1) part.behind = back, part.w1 = part.w0 + last * length;
       if (first > 0) part.before = front, part.w0 = part.w0 + first * length;
@@ -130,34 +99,13 @@ template <class T, class C> class FrustumBlock {
     return true;
   }
 
-  // De Casteljau's algorithm along the depth, for a row of u at a time.
-  void cut(double* b, double first, double last) const {
-    const int row = shape_.row(), d = shape_.along;
-    const Wide s = Wide(last), before_s = Wide(1 - last), t = Wide(first / last),
-               before_t = Wide(1 - first / last);
-    for (int j = 0; j <= shape_.across; ++j)
-      for (int x = 0; x < row; x += kWidth<Wide>) {
-        double* const at = b + j * shape_.sheet() + x;
-        Wide c[kMostFormDegree + 1];
-        for (int k = 0; k <= d; ++k) c[k] = load<Wide>(at + k * row);
-        if (last < 1)
-          for (int r = 1; r <= d; ++r)
-            for (int k = d; k >= r; --k) c[k] = before_s * c[k - 1] + s * c[k];
-        if (first > 0)
-          for (int r = 1; r <= d; ++r)
-            for (int k = 0; k <= d - r; ++k) c[k] = before_t * c[k] + t * c[k + 1];
-        for (int k = 0; k <= d; ++k) store(at + k * row, c[k]);
-      }
-  }
-
   const FrustumQuery& query_;
-  const PatchShape shape_;
   double* const scratch_;
   void* const registers_;
   FrustumCounts& counts_;
   void* const context_;
   Found* const found_;
-  double margin_ = 0;
+  double negligible_ = 0;
   FrustumTile<T, C> tile_;
 };
 

@@ -31,7 +31,10 @@ Collocation make_collocation(int degree) {
     const Wide x = (1 - std::cos((2 * j + 1) * std::numbers::pi_v<Wide> / (2 * n))) / 2;
     result.points.push_back(static_cast<double>(x));
     fill_bernstein<Wide>(degree, static_cast<double>(x), row.data());
-    for (int i = 0; i < n; ++i) values(j, i) = row[static_cast<std::size_t>(i)];
+    for (int i = 0; i < n; ++i) {
+      values(j, i) = row[static_cast<std::size_t>(i)];
+      result.at_points.push_back(static_cast<double>(values(j, i)));
+    }
   }
   const auto inverse = values.partialPivLu().inverse().eval();
   for (int i = 0; i < n; ++i)
@@ -52,22 +55,5 @@ const Collocation& collocation(int degree) {
 }
 
 void bernstein_values(int degree, double x, double* values) { fill_bernstein(degree, x, values); }
-
-std::vector<double> part_matrix(int degree, double from, double to) {
-  // row i is the blossom with degree - i arguments `from` and i arguments `to`
-  const int n = degree + 1;
-  std::vector<double> matrix(static_cast<std::size_t>(n) * n, 0.0);
-  for (int i = 0; i < n; ++i) {
-    double* const row = &matrix[static_cast<std::size_t>(i) * n];
-    row[0] = 1;
-    for (int k = 1; k <= degree; ++k) {
-      const double x = k <= degree - i ? from : to;
-      row[k] = x * row[k - 1];
-      for (int j = k - 1; j >= 1; --j) row[j] = (1 - x) * row[j] + x * row[j - 1];
-      row[0] *= 1 - x;
-    }
-  }
-  return matrix;
-}
 
 }  // namespace isocast

@@ -6,8 +6,15 @@
 
 namespace isocast::inline ISO_ISA {
 
-/// g(u, v, w) = f(L(u, v, w)), the form along one row of pixels as polynomials of degree `across` in u and
-/// `along` in w, Bernstein coefficients [w][u]: `sums` of g, `slopes` of dg/dv, v in pixels.
+/// Numbers of C that a row of depths is filled up to.
+template <class C> constexpr int filled_depths(int along) {
+  constexpr int kRegister = 64 / int(sizeof(C));
+  return (along + kRegister) / kRegister * kRegister;
+}
+
+/// g(u, v, w) = f(L(u, v, w)), the form along one row of pixels: series of degree `across` in u, whose terms
+/// are polynomials of degree `along` in w by Bernstein coefficients [u][w], filled_depths apart. `sums` are
+/// those of g, `slopes` of dg/dv, v in pixels.
 template <class C> struct RowForm {
   int across, along;
   const C *sums, *slopes;
@@ -32,7 +39,7 @@ inline void find_form_normals(const FrustumQuery& query, const RowForm<C>& form,
                               const C (&slopes)[kMostFormDegree + 1][16], const RowPlace& place,
                               const double* s, double* normal_x, double* normal_y) {
   using R = Native<C>;
-  const int n = form.across + 1;
+  const int n = form.across + 1, row = filled_depths<C>(form.along);
   C w[16], slope_w[16], gu[16], gv[16];
   for (int x = 0; x < 16; ++x) w[x] = C((s[x] - place.s0) / (place.s1 - place.s0));
   for (int x = 0; x < 16; x += kWidth<R>) {
@@ -41,10 +48,10 @@ inline void find_form_normals(const FrustumQuery& query, const RowForm<C>& form,
     for (int k = 0; k <= form.along; ++k) {
       g.c[k] = g_u.c[k] = g_v.c[k] = R(0);
       for (int i = 0; i < n; ++i) {
-        const R weight = load<R>(weights[i] + x), sum = R(form.sums[k * n + i]);
+        const R weight = load<R>(weights[i] + x), sum = R(form.sums[i * row + k]);
         g.c[k] = g.c[k] + weight * sum;
         g_u.c[k] = g_u.c[k] + load<R>(slopes[i] + x) * sum;
-        g_v.c[k] = g_v.c[k] + weight * R(form.slopes[k * n + i]);
+        g_v.c[k] = g_v.c[k] + weight * R(form.slopes[i * row + k]);
       }
     }
     const R at = load<R>(w + x);

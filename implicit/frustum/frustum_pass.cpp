@@ -1,18 +1,17 @@
 #include <isocast/implicit/frustum/collocation.h>
 #include <isocast/implicit/frustum/depth_range.h>
 #include <isocast/implicit/frustum/frustum_pass.h>
+#include <isocast/implicit/frustum/padua.h>
 #include <isocast/implicit/frustum/rounding_bound.h>
 #include <isocast/implicit/open_rays.h>
 #include <isocast/implicit/register_memory.h>
 #include <isocast/render/camera.h>
 
+#include <bit>
 #include <cmath>
 
 namespace isocast {
 namespace {
-
-// The degree in u and v that follows f over the tiles of a form.
-int degree_across(int degree) { return degree <= 8 ? degree : degree <= 14 ? std::min(degree, 10) : 12; }
 
 // Pixels that the domain is across, about.
 double pixels_across(const PixelLines& lines, const Box& domain) {
@@ -34,17 +33,13 @@ double* scratch_of(std::size_t count) {
   return memory.data() + (64 - address % 64) % 64 / sizeof(double);
 }
 
-// Bernstein values of degree n at the pixels of a tile, and their slopes per pixel.
+// Chebyshev's polynomials at the pixels of a tile, and their slopes per pixel.
 using Weights = double[kMostFormDegree + 1][16];
-void fill_weights(int n, double offset, Weights& weights, Weights& slopes) {
+void fill_weights(int degree, double offset, Weights& weights, Weights& slopes) {
   for (int x = 0; x < 16; ++x) {
-    double values[kMostFormDegree + 1], lower[kMostFormDegree + 1];
-    bernstein_values(n, (x + offset) / 16, values);
-    bernstein_values(n - 1, (x + offset) / 16, lower);
-    for (int i = 0; i <= n; ++i) {
-      weights[i][x] = values[i];
-      slopes[i][x] = n / 16.0 * ((i > 0 ? lower[i - 1] : 0) - (i < n ? lower[i] : 0));
-    }
+    double values[kMostFormDegree + 1], slope[kMostFormDegree + 1];
+    chebyshev_values(degree, (x + offset) / 8 - 1, values, slope);
+    for (int i = 0; i <= degree; ++i) weights[i][x] = values[i], slopes[i][x] = slope[i] / 8;
   }
 }
 
@@ -79,42 +74,49 @@ struct Receiver {
   BlockHits& hits;
   TraceCounts& counts;
 
-  void take(int x, int y, const TileRoots& roots) const {
-    HitStream& tile = hits.tile(first_x + x, first_y + y);
-    const int tx = bx * kBlockTiles + first_x + x, ty = by * kBlockTiles + first_y + y;
-    const int left = tx * kTileSize, top = ty * kTileSize;
+  // Those of a tile, counted in the form.
+  void take(int column, int row, const TileRoots& roots) const {
+    HitStream& tile = hits.tile(first_x + column, first_y + row);
+    const int tx = bx * kBlockTiles + first_x + column, ty = by * kBlockTiles + first_y + row;
+    const int columns = std::min(kTileSize, view.width() - tx * kTileSize),
+              rows = std::min(kTileSize, view.height() - ty * kTileSize);
+    if (columns <= 0 || rows <= 0) return;
     if (open) open->begin(view, tx, ty, offset_u, offset_v, tile);
-    for (int i = 0; i < kStreamSize; ++i) tile.cost[i] += static_cast<std::uint32_t>(roots.steps[i]);
-    for (int i = 0; i < kStreamSize; ++i) {
-      if (roots.proved[i] && !roots.hit[i]) continue;
-      const int p = i / 16, l = i % 16, px = left + p % 4 * 4 + l % 4, py = top + p / 4 * 4 + l / 4;
-      if (px >= view.width() || py >= view.height()) continue;
-      if (open && !roots.proved[i]) {
-        open->add(i, 0, counts);
-        continue;
-      }
-      if (!roots.hit[i]) {
-        if (!roots.proved[i] && options.proves) tile.certificate[i] = Certificate::undecided;
-        continue;
-      }
-      const double length = roots.length[i], t = roots.s[i] * length;
-      if (!(t < tile.t[i])) continue;
-      if (open && (roots.hi[i] - roots.lo[i]) * length > longest) {
-        open->add(i, 0, counts);
-        continue;
-      }
-      const double slack = 0x1p-50 * t;
-      tile.t[i] = t;
-      tile.t_lo[i] = std::max(0.0, roots.lo[i] * length - slack);
-      tile.t_hi[i] = roots.hi[i] * length + slack;
-      if (options.normals) tile.s[i] = roots.normal[0][i], tile.s_hi[i] = roots.normal[1][i];
-      tile.iso[i] = roots.iso[i];
-      tile.sides[i] = roots.sides[i];
-      tile.object[i] = options.object;
-      tile.certificate[i] = !options.proves   ? Certificate::no_proof
-                            : roots.proved[i] ? Certificate::proved_hit
-                                              : Certificate::undecided;
+    const std::uint32_t inside = (1u << columns) - 1;
+    for (int y = 0; y < rows; ++y) {
+      for (int x = 0; x < 16; ++x) tile.cost[slot_of(x, y)] += static_cast<std::uint32_t>(roots.steps[y][x]);
+      for (std::uint32_t left_over = (roots.hit[y] | ~roots.proved[y]) & inside; left_over != 0;
+           left_over &= left_over - 1)
+        take_ray(std::countr_zero(left_over), y, roots, tile);
     }
+  }
+
+ private:
+  // The place of a tile's pixel in View::fill's order.
+  static int slot_of(int x, int y) { return (y / 4 * 4 + x / 4) * 16 + y % 4 * 4 + x % 4; }
+
+  void take_ray(int x, int y, const TileRoots& roots, HitStream& tile) const {
+    const int i = slot_of(x, y);
+    const bool proved = roots.proved[y] >> x & 1, hit = roots.hit[y] >> x & 1;
+    if (open && !proved) return open->add(i, 0, counts);
+    if (!hit) {
+      if (options.proves) tile.certificate[i] = Certificate::undecided;
+      return;
+    }
+    const double length = roots.length[y][x], t = roots.s[y][x] * length;
+    if (!(t < tile.t[i])) return;
+    if (open && (roots.hi[y][x] - roots.lo[y][x]) * length > longest) return open->add(i, 0, counts);
+    const double slack = 0x1p-50 * t;
+    tile.t[i] = t;
+    tile.t_lo[i] = std::max(0.0, roots.lo[y][x] * length - slack);
+    tile.t_hi[i] = roots.hi[y][x] * length + slack;
+    if (options.normals) tile.s[i] = roots.normal[0][y][x], tile.s_hi[i] = roots.normal[1][y][x];
+    tile.iso[i] = roots.iso[y][x];
+    tile.sides[i] = roots.sides[y][x];
+    tile.object[i] = options.object;
+    tile.certificate[i] = !options.proves ? Certificate::no_proof
+                          : proved        ? Certificate::proved_hit
+                                          : Certificate::undecided;
   }
 };
 
@@ -136,9 +138,7 @@ FrustumPass::FrustumPass(const Tape& tape, const Box& domain, const FrustumOptio
       view_(view),
       doubtful_(doubtful),
       lines_(view.lines()),
-      tiles_(tiles_of_form(lines_, domain, options.degree)),
-      across_(degree_across(options.degree), options.degree),
-      along_(options.degree, options.degree) {
+      tiles_(tiles_of_form(lines_, domain, options.degree)) {
   double reach = 0;
   for (int a = 0; a < 3; ++a)
     reach = std::max(reach, std::abs(lines_.o[a]) + std::max(std::abs(domain.lo[a]), std::abs(domain.hi[a])));
@@ -152,21 +152,25 @@ FrustumQuery FrustumPass::make_query(double offset_u, double offset_v) const {
   query.time = options_.time;
   query.iso_count = static_cast<int>(options_.iso.size());
   std::copy(options_.iso.begin(), options_.iso.end(), query.iso);
-  query.degree = options_.degree;
   query.tiles = tiles_;
-  query.across = across_.view(), query.along = along_.view();
-  const Collocation& checks = collocation(options_.degree);
-  query.check_points = options_.proves ? checks.points.data() : nullptr;
-  query.lebesgue = checks.lebesgue;
+  const Padua& across = padua(options_.degree);
+  query.across = {across.columns.data(),
+                  across.rows.data(),
+                  across.from_columns.data(),
+                  across.from_rows.data(),
+                  {chebyshev_half(0).data(), chebyshev_half(1).data()},
+                  across.lebesgue};
+  query.along = collocation(options_.degree).view();
   for (int a = 0; a < 3; ++a) query.lo[a] = domain_.lo[a], query.hi[a] = domain_.hi[a];
-  query.slack = slack_;
+  query.proves = options_.proves;
+  if (options_.proves) query.slack = slack_;
   query.finder = options_.finder;
   query.redo = options_.precision == FrustumPrecision::mixed;
   query.lines = lines_;
   query.offset_u = offset_u, query.offset_v = offset_v;
   query.normals = options_.normals;
-  fill_weights(query.across.degree, offset_u, query.weights_u, query.slopes_u);
-  fill_weights(query.across.degree, offset_v, query.weights_v, query.slopes_v);
+  fill_weights(options_.degree, offset_u, query.weights_u, query.slopes_u);
+  fill_weights(options_.degree, offset_v, query.weights_v, query.slopes_v);
   return query;
 }
 

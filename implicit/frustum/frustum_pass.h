@@ -1,7 +1,6 @@
 // The primary rays of a picture by the frustum form, block by block.
 #pragma once
 
-#include <isocast/implicit/frustum/degree_tables.h>
 #include <isocast/implicit/frustum/frustum_tracer.h>
 
 namespace isocast {
@@ -30,7 +29,6 @@ class FrustumPass final : public PrimaryPass {
   PixelLines lines_;
   int tiles_;                      // on a side, with a form of their own
   double position_slack_, slack_;  // what roundings of a ray's points are, and do to f
-  DegreeMatrices across_, along_;
 };
 
 }  // namespace isocast

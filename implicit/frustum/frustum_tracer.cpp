@@ -1,5 +1,4 @@
 #include <isocast/implicit/frustum/collocation.h>
-#include <isocast/implicit/frustum/degree_tables.h>
 #include <isocast/implicit/frustum/frustum_pass.h>
 #include <isocast/implicit/frustum/frustum_tracer.h>
 #include <isocast/implicit/ray_segments.h>
@@ -30,10 +29,7 @@ std::optional<Double3> form_normal(const HitStream& hits, int slot) {
 }
 
 FrustumTracer::FrustumTracer(const Tape& tape, const Box& domain, const FrustumOptions& options)
-    : tape_(tape),
-      domain_(domain),
-      options_(options),
-      ray_tables_(ray_degree(options.degree), ray_degree(options.degree)) {
+    : tape_(tape), domain_(domain), options_(options) {
   options_.degree = std::max(1, options_.degree);
   if (options_.device)
     solver_ = options_.device->ray_form_solver_of(
@@ -63,8 +59,7 @@ RayFormQuery FrustumTracer::ray_query() const {
   query.time = options_.time;
   query.iso_count = static_cast<int>(options_.iso.size());
   std::copy(options_.iso.begin(), options_.iso.end(), query.iso);
-  query.table = ray_tables_.view();
-  query.lebesgue = collocation(ray_degree(options_.degree)).lebesgue;
+  query.table = collocation(ray_degree(options_.degree)).view();
   query.slack = 0x1p-50;
   query.exact = options_.proves && parts_of(options_.degree) == 1;
   query.single = options_.precision == FrustumPrecision::single;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <isocast/implicit/expression/tape.h>
-#include <isocast/implicit/frustum/degree_tables.h>
 #include <isocast/implicit/frustum/kernels.h>
 #include <isocast/implicit/segment_solver.h>
 #include <isocast/isa/cpu.h>
@@ -74,7 +73,6 @@ class FrustumTracer {
   Tape tape_;
   Box domain_;
   FrustumOptions options_;
-  DegreeMatrices ray_tables_;
   std::unique_ptr<const RayFormSolver> solver_;  // of the device
 };
 

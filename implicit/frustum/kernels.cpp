@@ -25,14 +25,11 @@ const FrustumKernels& frustum_kernels(Isa isa) {
 }
 
 std::size_t frustum_scratch(const FrustumQuery& query) {
-  const auto size = [](int across, int along) {
-    return std::size_t(across + 1) * static_cast<std::size_t>(along + 1) *
-           static_cast<std::size_t>((across + 8) / 8 * 8);
-  };
-  // the block, a strip and a quarter on each of three levels, and a tile as other numbers
-  const std::size_t patch = size(query.across.degree, query.along.degree),
-                    checks = size(query.degree, query.degree);
-  return 8 * patch + std::max(2 * checks, 2 * patch) + 1024;
+  const auto n = static_cast<std::size_t>(query.along.degree) + 1;
+  const std::size_t row = (n + 7) / 8 * 8, patch = n * (n + 1) / 2 * row;
+  // the block, a strip and a quarter on each of three levels, and a tile as other numbers; before that,
+  // values and what is between them and the block's form
+  return std::max(8 * patch, 2 * patch + n * (n + 1) * row) + 64;
 }
 
 }  // namespace isocast

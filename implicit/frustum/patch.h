@@ -1,140 +1,144 @@
-// f over a part of the view's frustum, as a polynomial in Bernstein form.
+// f over a part of the view's frustum as a polynomial: a Chebyshev series across, in Bernstein form along.
 #pragma once
 
-#include <isocast/implicit/frustum/block_query.h>
-#include <isocast/implicit/solve/inclusion.h>
+#include <isocast/implicit/frustum/bezier.h>
 #include <isocast/math/native.h>
 
 namespace isocast::inline ISO_ISA {
 
-/// The shape of b[j][k][i]: j counts v, k depth, i u; rows of i are filled up to whole registers.
+/// The coefficients b of sum over i + j <= across and k <= along of b_ijk T_i(u) T_j(v) B_k(w), u and v in
+/// [-1, 1], w in [0, 1]: rows of k, filled up with zeros to whole registers, of (0, 0), (1, 0), .. (0, 1), ..
 struct PatchShape {
   int across, along;
-  int row() const { return (across + 8) / 8 * 8; }
-  int sheet() const { return (along + 1) * row(); }
-  int size() const { return (across + 1) * sheet(); }
+  int row() const { return (along + 8) / 8 * 8; }
+  int pairs() const { return (across + 1) * (across + 2) / 2; }
+  int pair(int i, int j) const { return j * (across + 1) - j * (j - 1) / 2 + i; }
+  int size() const { return pairs() * row(); }
 };
+/// The longest row.
+inline constexpr int kMostDepths = (kMostFormDegree + 8) / 8 * 8;
+/// How often a block's form is halved, and cut before the first and after each of them.
+inline constexpr int kMostHalvings = 3, kMostCuts = 3;
 
-/// out[a][x] = sum over b of matrix[a][b] in[b][x], x < length, a multiple of 8.
-inline void combine(double* out, const double* in, const double* matrix, int rows, int columns, int length) {
-  for (int a = 0; a < rows; ++a) {
-    double* const to = out + a * length;
-    for (int x = 0; x < length; x += kWidth<Wide>) {
-      Wide sum = Wide(matrix[a * columns]) * load<Wide>(in + x);
-      for (int b = 1; b < columns; ++b)
-        sum = sum + Wide(matrix[a * columns + b]) * load<Wide>(in + b * length + x);
-      store(to + x, sum);
-    }
+/// to[x] = sum over m, first <= m < end, of weights[m] from(m)[x], x < length, a multiple of 8.
+template <class From>
+inline void sum_rows(double* to, int length, const double* weights, int first, int end, From from) {
+  for (int x = 0; x < length; x += kWidth<Wide>) {
+    Wide sum = Wide(weights[first]) * load<Wide>(from(first) + x);
+    for (int m = first + 1; m < end; ++m) sum = sum + Wide(weights[m]) * load<Wide>(from(m) + x);
+    store(to + x, sum);
   }
 }
 
-/// The same for the numbers in each of `count` rows: out[n][a] = sum over b of matrix[a][b] in[n][b]; what
-/// fills up the rows of `out` becomes 0.
-inline void combine_in_rows(double* out, int out_row, const double* in, int in_row, const double* matrix,
-                            int rows, int columns, int count) {
-  constexpr int kMostRow = (kMostFormDegree + 8) / 8 * 8;
-  double turned[(kMostFormDegree + 1) * kMostRow];
-  for (int b = 0; b < columns; ++b)
-    for (int a = 0; a < kMostRow; ++a) turned[b * kMostRow + a] = a < rows ? matrix[a * columns + b] : 0;
-  for (int n = 0; n < count; ++n)
-    for (int x = 0; x < out_row; x += kWidth<Wide>) {
-      Wide sum = Wide(in[n * in_row]) * load<Wide>(turned + x);
-      for (int b = 1; b < columns; ++b)
-        sum = sum + Wide(in[n * in_row + b]) * load<Wide>(turned + b * kMostRow + x);
-      store(out + n * out_row + x, sum);
-    }
+/// A half of a form in u or v; half: chebyshev_half's.
+inline void halve_u(double* out, const double* in, const PatchShape& shape, const double* half) {
+  const int row = shape.row();
+  for (int j = 0; j <= shape.across; ++j)
+    for (int i = 0; i <= shape.across - j; ++i)
+      sum_rows(out + shape.pair(i, j) * row, row, half + i * (kMostFormDegree + 1), i, shape.across - j + 1,
+               [&](int m) { return in + shape.pair(m, j) * row; });
+}
+inline void halve_v(double* out, const double* in, const PatchShape& shape, const double* half) {
+  const int row = shape.row();
+  for (int j = 0; j <= shape.across; ++j)
+    for (int i = 0; i <= shape.across - j; ++i)
+      sum_rows(out + shape.pair(i, j) * row, row, half + j * (kMostFormDegree + 1), j, shape.across - i + 1,
+               [&](int m) { return in + shape.pair(i, m) * row; });
 }
 
-/// f at the points (u, v, depth) of a grid of the block, rows of i filled up with the last point:
-/// values[j][k][i], rows of `row`; put takes packs of them.
-template <class Put>
-inline void evaluate_grid(const FrustumQuery& query, const double* across, int n_across, const double* along,
-                          int n_along, int row, void* registers, Put put) {
-  constexpr int kPacks = 16;
-  const PixelLines& lines = query.lines;
-  const double pixels = 16 * query.tiles;
-  Wide inputs[4 * kPacks];
-  int waiting = 0, first = 0;
-  const int packs_in_row = row / kWidth<Wide>, packs = n_across * n_along * packs_in_row;
-  const auto flush = [&] {
-    const Wide* const f = evaluate_some<kPacks>(query.tape, static_cast<const Wide*>(inputs),
-                                                static_cast<Wide*>(registers), waiting);
-    for (int p = 0; p < waiting; ++p) put((first + p) * kWidth<Wide>, f[p]);
-    first += waiting;
-    waiting = 0;
+/// Leaves out what is of the highest degrees across, as far as it is everywhere at most `most` together;
+/// says how much that is.
+inline double drop_degrees(double* b, PatchShape& shape, double most) {
+  const int row = shape.row();
+  int across = shape.across;
+  double dropped = 0, sums[kMostDepths] = {};
+  for (; across > 0; --across) {
+    double here = 0;
+    for (int x = 0; x < row; x += kWidth<Wide>) {
+      Wide sum = load<Wide>(sums + x);
+      for (int j = 0; j <= across; ++j) sum = sum + abs(load<Wide>(b + shape.pair(across - j, j) * row + x));
+      store(sums + x, sum);
+    }
+    for (int k = 0; k <= shape.along; ++k) here = max(sums[k], here);
+    if (!(here <= most)) break;
+    dropped = here;
+  }
+  const PatchShape smaller{across, shape.along};
+  for (int j = 1; j <= across && across < shape.across; ++j)
+    for (int x = 0; x < (across - j + 1) * row; x += kWidth<Wide>)
+      store(b + smaller.pair(0, j) * row + x, load<Wide>(b + shape.pair(0, j) * row + x));
+  shape = smaller;
+  return dropped * (1 + 0x1p-40);
+}
+
+/// Least and greatest of a T_1 + b T_2 over [-1, 1].
+inline void find_extremes(Wide a, Wide b, Wide& lo, Wide& hi) {
+  const Wide ends = abs(a), bow = abs(b);
+  // at the ends, or where the slope vanishes between them
+  const Wide turn = bow + a * a / (Wide(8) * bow);
+  const Mask<Wide> turns = ends<Wide(4) * bow, up = b> Wide(0);
+  lo = select(turns & up, Wide(-1) * turn, b - ends);
+  hi = select(turns & !up, turn, b + ends);
+}
+
+/// Bounds of each coefficient along, anywhere across.
+///
+/// source  the terms' sizes, but for parabolas in u alone and in v alone, whose extremes are known
+inline void find_hull(const double* b, const PatchShape& shape, double* lo, double* hi) {
+  const int row = shape.row(), n = shape.across;
+  const auto term = [&](int i, int j, int x) {
+    return i + j <= n ? load<Wide>(b + shape.pair(i, j) * row + x) : Wide(0);
   };
-  for (int pack = 0; pack < packs; ++pack) {
-    const int j = pack / packs_in_row / n_along, k = pack / packs_in_row % n_along;
-    double u[kWidth<Wide>];
-    for (int l = 0; l < kWidth<Wide>; ++l) {
-      const int i = pack % packs_in_row * kWidth<Wide> + l;
-      u[l] = query.u0 + pixels * across[i < n_across ? i : n_across - 1];
-    }
-    const double v = query.v0 + pixels * across[j];
-    const Wide s = Wide(query.s0 + (query.s1 - query.s0) * along[k]), pixel = load<Wide>(u);
-    for (int a = 0; a < 3; ++a) {
-      const Wide o = Wide(lines.o[a] + v * lines.o_v[a]) + pixel * Wide(lines.o_u[a]),
-                 d = Wide(lines.d[a] + v * lines.d_v[a]) + pixel * Wide(lines.d_u[a]);
-      inputs[a * kPacks + waiting] = o + s * d;
-    }
-    inputs[3 * kPacks + waiting] = Wide(query.time);
-    if (++waiting == kPacks) flush();
+  for (int x = 0; x < row; x += kWidth<Wide>) {
+    Wide sum = Wide(0), lo_u, hi_u, lo_v, hi_v;
+    for (int j = 0; j <= n; ++j)
+      for (int i = j > 2 ? 0 : j == 0 ? 3 : 1; i <= n - j; ++i)
+        sum = sum + abs(load<Wide>(b + shape.pair(i, j) * row + x));
+    find_extremes(term(1, 0, x), term(2, 0, x), lo_u, hi_u);
+    find_extremes(term(0, 1, x), term(0, 2, x), lo_v, hi_v);
+    const Wide mean = term(0, 0, x),
+               room = Wide(0x1p-45) * (abs(mean) + abs(lo_u) + abs(hi_u) + abs(lo_v) + abs(hi_v) + sum);
+    store(lo + x, mean + (lo_u + lo_v - sum) - room);
+    store(hi + x, mean + (hi_u + hi_v + sum) + room);
   }
-  if (waiting) flush();
 }
 
-/// The form of f over the whole block. `scratch` has room for two patches.
-inline void interpolate(const FrustumQuery& query, double* b, double* scratch, void* registers) {
-  const DegreeTables &uv = query.across, &w = query.along;
-  const PatchShape shape{uv.degree, w.degree};
-  double* const other = scratch + shape.size();
-  const int n = uv.degree + 1, m = w.degree + 1, row = shape.row(), sheet = shape.sheet();
-  evaluate_grid(query, uv.points, n, w.points, m, row, registers,
-                [scratch](int at, Wide f) { store(scratch + at, f); });
-  combine_in_rows(other, row, scratch, row, uv.from_values, n, n, n * m);
-  for (int j = 0; j < n; ++j) combine(scratch + j * sheet, other + j * sheet, w.from_values, m, m, row);
-  combine(b, scratch, uv.from_values, n, n, sheet);
+/// At least |each coefficient along| anywhere across.
+inline double largest(const double* b, const PatchShape& shape) {
+  const int row = shape.row();
+  double sums[kMostDepths], most = 0;
+  for (int x = 0; x < row; x += kWidth<Wide>) {
+    Wide sum = Wide(0);
+    for (int p = 0; p < shape.pairs(); ++p) sum = sum + abs(load<Wide>(b + p * row + x));
+    store(sums + x, sum);
+  }
+  for (int k = 0; k <= shape.along; ++k) most = sums[k] <= most ? most : sums[k];  // NaN stays
+  return most * (1 + 0x1p-40);
 }
 
-inline double largest(const double* b, int size) {
-  Wide most = Wide(0);
-  for (int x = 0; x < size; x += kWidth<Wide>) most = max(abs(load<Wide>(b + x)), most);
-  double lanes[kWidth<Wide>], result = 0;
-  store(lanes, most);
-  for (const double lane : lanes) result = max(lane, result);
-  return result;
-}
-
-/// How far f can be from its form anywhere in the block: a polynomial of f's degree in each direction, of
-/// which its values at Chebyshev's points are known. Infinite where they are not. `scratch` has room for two
-/// grids of checks.
-inline double form_error(const FrustumQuery& query, const double* b, double* scratch, void* registers) {
-  const DegreeTables &uv = query.across, &w = query.along;
-  const PatchShape shape{uv.degree, w.degree}, checks{query.degree, query.degree};
-  const int n = query.degree + 1, row = checks.row();
-  double* const other = scratch + checks.size();
-  combine_in_rows(scratch, row, b, shape.row(), uv.at_checks, n, uv.degree + 1,
-                  (uv.degree + 1) * (w.degree + 1));
-  for (int j = 0; j <= uv.degree; ++j)
-    combine(other + j * checks.sheet(), scratch + j * (w.degree + 1) * row, w.at_checks, n, w.degree + 1,
-            row);
-  combine(scratch, other, uv.at_checks, n, uv.degree + 1, checks.sheet());
-
-  Wide off = Wide(0);
-  evaluate_grid(query, query.check_points, n, query.check_points, n, row, registers, [&](int at, Wide f) {
-    const Wide far = abs(load<Wide>(scratch + at) - f);
-    double lanes[kWidth<Wide>];
-    store(lanes, select(far < Wide(kInfinity<double>), far, Wide(kInfinity<double>)));
-    // not what fills up the rows
-    for (int l = 0; l < kWidth<Wide>; ++l)
-      if ((at + l) % row >= n) lanes[l] = 0;
-    off = max(off, load<Wide>(lanes));
-  });
-  double lanes[kWidth<Wide>], most = 0;
-  store(lanes, off);
-  for (const double lane : lanes) most = max(lane, most);
-  const double roundings = 0x1p-50 * (2 * uv.degree + w.degree + 8) * largest(b, shape.size());
-  return (most + query.rounding + roundings) * query.lebesgue * query.lebesgue * query.lebesgue * 1.001;
+/// Keeps the depths from `first` to `last` of [0, 1].
+inline void cut(double* b, const PatchShape& shape, double first, double last) {
+  const int row = shape.row(), d = shape.along;
+  double ways[kMostFormDegree + 1][kMostDepths], in[kMostDepths], place[kWidth<Wide>];
+  for (int l = 0; l < kWidth<Wide>; ++l) place[l] = l;
+  for (int x = 0; x < row; x += kWidth<Wide>) {
+    // coefficient i is the blossom with d - i arguments `first` and i arguments `last`
+    const Wide i = load<Wide>(place) + Wide(x);
+    Wide c[kMostFormDegree + 1];
+    c[0] = select(i <= Wide(d), Wide(1), Wide(0));
+    for (int k = 1; k <= d; ++k) {
+      const Wide s = select(i <= Wide(d - k), Wide(first), Wide(last)), before = Wide(1) - s;
+      c[k] = s * c[k - 1];
+      for (int m = k - 1; m >= 1; --m) c[m] = before * c[m] + s * c[m - 1];
+      c[0] = before * c[0];
+    }
+    for (int k = 0; k <= d; ++k) store(ways[k] + x, c[k]);
+  }
+  for (int p = 0; p < shape.pairs(); ++p) {
+    double* const at = b + p * row;
+    for (int x = 0; x < row; x += kWidth<Wide>) store(in + x, load<Wide>(at + x));
+    sum_rows(at, row, in, 0, d + 1, [&](int k) { return ways[k]; });
+  }
 }
 
 }  // namespace isocast::inline ISO_ISA

@@ -6,8 +6,7 @@
 namespace isocast {
 
 /// table      of the degree of the rays' polynomials: Chebyshev's points and the way to coefficients
-/// exact      f has that degree at most, so that a factor `lebesgue` bounds the polynomial's error between
-/// the
+/// exact      f has that degree at most, so that the table's factor bounds the polynomial's error between the
 ///            points; without it nothing is proved
 /// slack      relative: what a coordinate of size 1 is off by
 struct RayFormQuery {
@@ -15,7 +14,7 @@ struct RayFormQuery {
   double time, iso[kMostIsos];
   int iso_count;
   DegreeTables table;
-  double lebesgue, slack;
+  double slack;
   bool exact, single;
   FinderOptions finder;
 };

@@ -74,12 +74,12 @@ template <class T> class RayForms {
       // what the polynomial misses of f at the points, times what that can mean between them
       Wide off = Wide(0);
       for (int i = 0; i < n; ++i) {
-        Wide sum = Wide(query_.table.at_checks[i * n]) * c[0];
-        for (int k = 1; k < n; ++k) sum = sum + Wide(query_.table.at_checks[i * n + k]) * c[k];
+        Wide sum = Wide(query_.table.at_points[i * n]) * c[0];
+        for (int k = 1; k < n; ++k) sum = sum + Wide(query_.table.at_points[i * n + k]) * c[k];
         const Wide here = abs(sum - values[i]) + radius[i];
         off = select(here < Wide(kInfinity<double>), max(here, off), Wide(kInfinity<double>));
       }
-      off = (off + Wide(0x1p-52 * (n + 4)) * size) * Wide(1.001 * query_.lebesgue);
+      off = (off + Wide(0x1p-52 * (n + 4)) * size) * Wide(1.001 * query_.table.lebesgue);
       store(off_ + lane, off);
       store(size_ + lane, size);
     }
@@ -90,36 +90,39 @@ template <class T> class RayForms {
     row.degree = query_.table.degree;
     row.proves = query_.exact;
     double scale[kRow];
+    unsigned active = 0;
     for (int x = 0; x < kRow; ++x) {
       scale[x] = sizeof(T) == 4 ? inverse_power_of_two(size_[x] + abs(query_.iso[iso])) : 1.0;
       if (!active_[x]) scale[x] = 0;
       const int i = first_ + x;
-      row.active[x] = active_[x];
       row.margin[x] = active_[x] ? T(1.0001 * scale[x] * off_[x]) : T(0);
       row.eps[x] = T(query_.finder.eps);
-      row.before[x] = !active_[x] || !rays_.carried[i] ? 0 : rays_.sides[i] >> iso & 1 ? -1 : 1;
-      row.behind[x] = 0;
+      if (!active_[x]) continue;
+      active |= 1u << x;
+      row.before.known |= unsigned(rays_.carried[i]) << x;
+      row.before.negative |= (rays_.sides[i] >> iso & 1) << x;
     }
     for (int k = 0; k <= row.degree; ++k)
       for (int x = 0; x < kRow; ++x)
         row.c[k][x] = active_[x] ? T((c_[k][x] - query_.iso[iso]) * scale[x]) : T(1);
     RowRoots found;
-    find_row<Native<T>>(row, query_.finder, active_, found);
+    find_row<Native<T>>(row, query_.finder, active, found);
     for (int x = 0; x < kRow; ++x) {
       if (!active_[x]) continue;
       const int i = first_ + x;
       const double near = rays_.near[i], length = rays_.far[i] - near;
+      const bool proved = found.proved >> x & 1;
       const auto t_at = [&](double s) { return near + s * length; };
       roots_.steps[i] += found.steps[x];
       roots_.sides_at_far[i] |= std::uint32_t(negative(row.c[row.degree][x])) << iso;
-      if (!found.hit[x]) {
-        roots_.proved[i] = roots_.proved[i] && found.proved[x];
+      if ((found.hit >> x & 1) == 0) {
+        roots_.proved[i] = roots_.proved[i] && proved;
         continue;
       }
       const double t = t_at(found.s[x]);
       const bool apart =
           !roots_.hit[i] || t_at(found.hi[x]) < roots_.lo[i] || t_at(found.lo[x]) > roots_.hi[i];
-      roots_.proved[i] = roots_.proved[i] && found.proved[x] && apart;
+      roots_.proved[i] = roots_.proved[i] && proved && apart;
       if (roots_.hit[i] && !(t < roots_.t[i])) continue;
       const double slack = 0x1p-50 * (abs(near) + abs(rays_.far[i]));
       roots_.hit[i] = true;
@@ -127,7 +130,7 @@ template <class T> class RayForms {
       roots_.lo[i] = t_at(found.lo[x]) - slack;
       roots_.hi[i] = t_at(found.hi[x]) + slack;
       roots_.iso[i] = std::uint8_t(iso);
-      std::uint32_t sides = std::uint32_t(found.negative[x]) << iso;
+      std::uint32_t sides = (found.negative >> x & 1) << iso;
       for (int other = 0; other < query_.iso_count; ++other)
         if (other != iso) sides |= std::uint32_t(query_.iso[iso] < query_.iso[other]) << other;
       roots_.sides[i] = sides;

@@ -21,8 +21,8 @@ inline void clip_row(const FrustumQuery& query, double u, double v, double* begi
     for (int a = 0; a < 3; ++a) {
       const W o = W(lines.o[a] + v * lines.o_v[a]) + pixel * W(lines.o_u[a]),
               d = W(lines.d[a] + v * lines.d_v[a]) + pixel * W(lines.d_u[a]);
-      const W t0 = (W(query.lo[a]) - o) / d, t1 = (W(query.hi[a]) - o) / d;
-      const Mask<W> still = d == W(0.0);
+      const W way = W(1.0) / d, t0 = (W(query.lo[a]) - o) * way, t1 = (W(query.hi[a]) - o) * way;
+      const Mask<W> still = !(abs(way) < W(kInfinity<double>));
       const Mask<W> outside = still & ((o < W(query.lo[a])) | (o > W(query.hi[a])));
       squared = squared + d * d;
       near = select(still, near, max(min(t0, t1), near));

@@ -4,7 +4,7 @@
 #include <isocast/implicit/frustum/find_by_clipping.h>
 #include <isocast/implicit/frustum/find_by_knots.h>
 #include <isocast/implicit/frustum/find_by_signs.h>
-#include <isocast/math/native.h>
+#include <isocast/math/mask_bits.h>
 
 namespace isocast::inline ISO_ISA {
 
@@ -38,51 +38,42 @@ inline FirstRoot<R> find_first(const Bezier<R>& p, const BezierValues<R>& form, 
   }
 }
 
+/// Signs of f - iso that roundings at an end may have hidden, bit by ray: negative where known.
+struct RowSides {
+  unsigned known = 0, negative = 0;
+};
+
 /// Polynomials f - iso of kRow rays over [0, 1] each, scaled by any power of two.
 ///
 /// c         [k][ray]: Bernstein coefficients, of which each is off by at most the ray's `margin`
 /// eps       in [0, 1]
-/// active    the ray is there
-/// before    the sign in front of 0: 1 for f >= iso, -1 for f < iso, 0 unknown; behind: that behind 1
+/// before    the sides in front of 0; behind: those behind 1
 /// proves    whether proofs are wanted
 /// guessed   the roots hold guesses: a hit may be one that can be proved without being searched for
 template <class T> struct RowPolynomials {
   int degree;
   T c[kMostFormDegree + 1][kRow];
-  T eps[kRow];
-  bool active[kRow];
-  signed char before[kRow], behind[kRow];
-  T margin[kRow];
+  T eps[kRow], margin[kRow];
+  RowSides before, behind;
   bool proves, guessed = false;
 };
 
-/// s with the bracket lo, hi; negative: f < iso in front of it. proved: the hit, or that there is none.
+/// s with the bracket lo, hi; bit by ray negative: f < iso in front of it. proved: the hit, or that there is
+/// none.
 struct RowRoots {
-  double s[kRow], lo[kRow], hi[kRow];
-  float steps[kRow];
-  bool hit[kRow], proved[kRow], negative[kRow];
+  double s[kRow] = {}, lo[kRow] = {}, hi[kRow] = {};
+  float steps[kRow] = {};
+  unsigned hit = 0, proved = 0, negative = 0;
 };
 
-template <Real R> inline Mask<R> lanes_where(const bool* flags) {
-  using T = Scalar<R>;
-  T values[kWidth<R>];
-  for (int l = 0; l < kWidth<R>; ++l) values[l] = T(flags[l]);
-  return load<R>(values) != R(0);
-}
-template <Real R> inline void put_where(Mask<R> mask, bool* flags) {
-  const unsigned bits = bits_of(mask);
-  for (int l = 0; l < kWidth<R>; ++l) flags[l] = bits >> l & 1;
-}
-
-/// Roots of the rays that `wanted` names.
+/// Roots of the rays whose bits are set; the others' stay.
 template <Real R>
-inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& options, const bool* wanted,
+inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& options, unsigned wanted,
                      RowRoots& roots) {
   using T = Scalar<R>;
   for (int first = 0; first < kRow; first += kWidth<R>) {
-    bool some = false, all[kWidth<R>];
-    for (int l = 0; l < kWidth<R>; ++l) some = (all[l] = row.active[first + l] && wanted[first + l]) || some;
-    if (!some) continue;
+    const Mask<R> active = lanes_of<R>(wanted >> first);
+    if (!any(active)) continue;
     Bezier<R> p;
     p.degree = row.degree;
     p.c[0] = load<R>(row.c[0] + first);
@@ -93,28 +84,22 @@ inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& 
         load<R>(row.margin + first) * R(T(1.0001)) + R(T(4 * row.degree + 8) * kUnitRoundoff<T>) * size,
         R(T(4 * row.degree) * kUnitRoundoff<T>) * size};
     const BezierValues<R> form(p);
-    const Mask<R> active = lanes_where<R>(all);
-    const Mask<R> start = negative(p.c[0]);
-    // signs that roundings at the ends have hidden
-    T before[kWidth<R>], behind[kWidth<R>];
-    for (int l = 0; l < kWidth<R>; ++l) before[l] = row.before[first + l], behind[l] = row.behind[first + l];
-    const R sign_before = load<R>(before), sign_behind = load<R>(behind);
-    const Mask<R> known = sign_before != R(0);
-    const Mask<R> at_start =
-        active & ((known & (negative(sign_before) != start)) | ((!known) & (p.c[0] == R(0))));
+    const Mask<R> start = negative(p.c[0]), known = lanes_of<R>(row.before.known >> first),
+                  negative_before = lanes_of<R>(row.before.negative >> first);
+    const Mask<R> at_start = active & ((known & (negative_before != start)) | ((!known) & (p.c[0] == R(0))));
 
     ProvedRoot<R> root = {R(0), R(0), R(0), Mask<R>(false)};
     if (row.proves && row.guessed) {
       T guesses[kWidth<R>];
       for (int l = 0; l < kWidth<R>; ++l) guesses[l] = T(roots.s[first + l]);
-      const Mask<R> tried = active & lanes_where<R>(roots.hit + first) & !at_start;
+      const Mask<R> tried = active & lanes_of<R>(roots.hit >> first) & !at_start;
       if (any(tried)) root = prove_root(p, form, load<R>(guesses), eps, doubt, tried);
     }
     const Mask<R> told = root.proved, sought = active & !told;
     const FirstRoot<R> found =
         any(sought) ? find_first(p, form, options, eps, doubt, sought) : FirstRoot<R>{};
-    const Mask<R> at_end = (sought & !(found.hit | at_start)) & (sign_behind != R(0)) &
-                           (negative(sign_behind) != negative(p.c[p.degree]));
+    const Mask<R> at_end = (sought & !(found.hit | at_start)) & lanes_of<R>(row.behind.known >> first) &
+                           (lanes_of<R>(row.behind.negative >> first) != negative(p.c[p.degree]));
     const Mask<R> inside = found.hit & !at_start;
     R s = select(at_start, R(0), select(at_end, R(1), found.s)), lo = max(s - eps, R(0)),
       hi = min(s + eps, R(1));
@@ -127,19 +112,22 @@ inline void find_row(const RowPolynomials<Scalar<R>>& row, const FinderOptions& 
       const Mask<R> asked = misses & !found.sure;
       if (any(asked)) root.proved = root.proved | is_empty(p, doubt, asked);
     }
+    const unsigned lanes = bits_of(active) << first;
+    const auto put = [&](unsigned& bits, Mask<R> mask) {
+      bits = (bits & ~lanes) | (bits_of(mask) << first & lanes);
+    };
+    put(roots.hit, told | inside | at_start | at_end);
+    put(roots.proved, root.proved);
+    put(roots.negative, select(known, negative_before, start));
     T values[3][kWidth<R>], steps[kWidth<R>];
     store(values[0], s), store(values[1], lo), store(values[2], hi), store(steps, found.steps);
-    bool hits[kWidth<R>], proofs[kWidth<R>], negatives[kWidth<R>];
-    put_where<R>(told | inside | at_start | at_end, hits);
-    put_where<R>(root.proved, proofs);
-    put_where<R>(select(known, negative(sign_before), start), negatives);
     for (int l = 0; l < kWidth<R>; ++l) {
-      if (!all[l]) continue;
       const int i = first + l;
-      roots.s[i] = double(values[0][l]), roots.lo[i] = double(values[1][l]),
-      roots.hi[i] = double(values[2][l]);
-      roots.steps[i] = float(steps[l]);
-      roots.hit[i] = hits[l], roots.proved[i] = proofs[l], roots.negative[i] = negatives[l];
+      const bool here = lanes >> i & 1;
+      roots.s[i] = here ? double(values[0][l]) : roots.s[i];
+      roots.lo[i] = here ? double(values[1][l]) : roots.lo[i];
+      roots.hi[i] = here ? double(values[2][l]) : roots.hi[i];
+      roots.steps[i] = here ? float(steps[l]) : roots.steps[i];
     }
   }
 }

@@ -107,8 +107,7 @@ TEST_CASE("what the frustum form proves of the catalogue's polynomials is true",
                              << tally.wrong[2] << " " << tally.wrong[3]);
     // double tells nearly all, but for pairs of sheets that meet in a line, and near the highest degree
     const double open = surface.id == "high_silhouette" ? 0.35 : *degree > 18 ? 0.15 : 0.05;
-    if (*degree <= kMostFormDegree)
-      CHECK(tally.open[0] <= open * tally.rays + 2);
+    if (*degree <= kMostFormDegree) CHECK(tally.open[0] <= open * tally.rays + 2);
     CHECK(tally.wrong[0] <= 0.3 * open * tally.rays + 1);
   }
 }
