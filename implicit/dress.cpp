@@ -83,8 +83,12 @@ void ImplicitSurface::dress(const RayStream& rays, const HitStream& hits, const 
   for (int n = points.size; n % kPacketSize != 0; ++n)
     for (auto& axis : points.position) axis[n] = 0;
   const FormulaKernels& kernels = formula_kernels(options_.isa);
-  kernels.find_gradients(tape_.view(), options_.time, points,
-                         registers_of(tape_.registers * kernels.gradient_bytes));
+  // pruning takes about as long as the gradients of so many points
+  constexpr int kFewPoints = 64;
+  const Tape& tape =
+      pruning_.prunes && points.size > kFewPoints ? pruned_around(points, tape_, options_.time) : tape_;
+  kernels.find_gradients(tape.view(), options_.time, points,
+                         registers_of(tape.registers * kernels.gradient_bytes));
   for (int n = 0; n < points.size; ++n) {
     const int i = slots[n];
     if (wishes.value) dressed.value[i] = points.value[n];

@@ -47,6 +47,16 @@ const Tape& pruned_along(const SegmentStream<T>& segments, const Tape& tape, dou
   return pruner.prune(tape, box, time, levels);
 }
 
+const Tape& pruned_around(const GradientStream& points, const Tape& tape, double time) {
+  Interval<double> box[3];
+  for (int a = 0; a < 3; ++a) {
+    const auto [lo, hi] = std::minmax_element(points.position[a], points.position[a] + points.size);
+    box[a] = Interval<double>(*lo, *hi);
+  }
+  thread_local Pruner<float> pruner;
+  return pruner.prune(tape, box, time);
+}
+
 template const Tape& pruned_along(const SegmentStream<float>&, const Tape&, double, std::span<const double>);
 template const Tape& pruned_along(const SegmentStream<double>&, const Tape&, double, std::span<const double>);
 

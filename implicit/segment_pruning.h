@@ -1,7 +1,8 @@
-// Tapes without what they do not need where the rays of a stream run.
+// Tapes without what they do not need where the rays of a stream run, or hit.
 #pragma once
 
 #include <isocast/implicit/expression/tape.h>
+#include <isocast/implicit/solve/kernels.h>
 #include <isocast/implicit/solve/segment.h>
 #include <isocast/math/box.h>
 
@@ -24,5 +25,9 @@ struct PruningPlan {
 template <class T>
 [[nodiscard]] const Tape& pruned_along(const SegmentStream<T>& segments, const Tape& tape, double time,
                                        std::span<const double> levels);
+
+/// The tape as Pruner leaves it, with the whole tape's values, over the box of all points; good until the
+/// thread's next call.
+[[nodiscard]] const Tape& pruned_around(const GradientStream& points, const Tape& tape, double time);
 
 }  // namespace isocast
