@@ -1,4 +1,4 @@
-#include <isocast/implicit/copy_ray.h>
+#include <isocast/ray/copy_ray.h>
 #include <isocast/implicit/open_rays.h>
 #include <isocast/render/camera.h>
 

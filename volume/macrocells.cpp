@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 namespace isocast {
@@ -20,9 +21,10 @@ template <class A> constexpr A highest() {
                                               : std::numeric_limits<A>::max();
 }
 
-// Ranges of one row of fine blocks: first over the rows of samples, sample by sample, then along x.
+// Ranges of one row of fine blocks: first over the rows of samples, sample by sample, then along x. Whether
+// all samples are finite.
 template <class S>
-void scan_row(const Volume& volume, const MacroLevel& level, std::int64_t by, std::int64_t bz,
+bool scan_row(const Volume& volume, const MacroLevel& level, std::int64_t by, std::int64_t bz,
               typename SampleTraits<S>::Arithmetic* ranges) {
   using A = typename SampleTraits<S>::Arithmetic;
   const std::int64_t n = volume.dims[0], size = std::int64_t(1) << level.shift;
@@ -30,11 +32,13 @@ void scan_row(const Volume& volume, const MacroLevel& level, std::int64_t by, st
     return std::min((block + 1) * size, volume.dims[axis] - 1);
   };
   std::vector<A> low(n, highest<A>()), high(n, lowest<A>());
+  A beyond = 0;
   for (std::int64_t z = bz * size; z <= last(bz, 2); ++z)
     for (std::int64_t y = by * size; y <= last(by, 1); ++y) {
       const S* row = reinterpret_cast<const S*>(volume.samples) + (z * volume.dims[1] + y) * n;
       for (std::int64_t x = 0; x < n; ++x) {
         const A v = number(row[x]);
+        if constexpr (std::is_floating_point_v<A>) beyond += v * 0;  // NaN for what is not finite
         low[x] = v < low[x] ? v : low[x];
         high[x] = v > high[x] ? v : high[x];
       }
@@ -48,6 +52,7 @@ void scan_row(const Volume& volume, const MacroLevel& level, std::int64_t by, st
     ranges[2 * bx] = lo;
     ranges[2 * bx + 1] = hi;
   }
+  return beyond == 0;
 }
 
 // A coarse block is the union of its fine blocks.
@@ -72,6 +77,7 @@ void gather(const MacroLevel& fine, const MacroLevel& coarse, std::int64_t by, s
 }  // namespace
 
 MacroCells::MacroCells(const Volume& volume) : type_(volume.type) {
+  std::atomic<bool> finite = true;
   visit_sample_type(volume.type, [&](auto tag) {
     using S = typename decltype(tag)::Type;
     using A = typename SampleTraits<S>::Arithmetic;
@@ -90,12 +96,14 @@ MacroCells::MacroCells(const Volume& volume) : type_(volume.type) {
         for (std::int64_t bz = rows.rows().begin(); bz < rows.rows().end(); ++bz)
           for (std::int64_t by = rows.cols().begin(); by < rows.cols().end(); ++by) {
             A* row = ranges + 2 * (bz * level.dims[1] + by) * level.dims[0];
-            if (i == kMacroLevels - 1) scan_row<S>(volume, level, by, bz, row);
-            else gather<A>(levels_[i + 1], level, by, bz, row);
+            if (i == kMacroLevels - 1) {
+              if (!scan_row<S>(volume, level, by, bz, row)) finite = false;
+            } else gather<A>(levels_[i + 1], level, by, bz, row);
           }
       });
     }
   });
+  finite_ = finite;
 }
 
 BlockBox MacroCells::active_box(std::span<const double> keys) const {

@@ -19,6 +19,8 @@ class MacroCells {
   /// The levels as kernels see them, coarse first.
   [[nodiscard]] const MacroLevel& level(int i) const { return levels_[i]; }
   [[nodiscard]] std::size_t bytes() const;
+  /// All samples are finite numbers.
+  [[nodiscard]] bool finite() const { return finite_; }
 
   /// The box of all coarse blocks whose range some iso-value's key parts (sample.h): outside, every cell lies
   /// on one side.
@@ -28,6 +30,7 @@ class MacroCells {
   std::vector<std::byte> ranges_[kMacroLevels];
   MacroLevel levels_[kMacroLevels];
   SampleType type_;
+  bool finite_ = true;
 };
 
 }  // namespace isocast

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <isocast/base/error.h>
+#include <isocast/ray/copy_ray.h>
 #include <isocast/render/stream_pass.h>
 #include <isocast/volume/dress.h>
 #include <isocast/volume/primary/volume_pass.h>
 #include <isocast/volume/sample.h>
 #include <isocast/volume/stream/stream_tracer.h>
+#include <isocast/volume/sure_hits.h>
 #include <isocast/volume/volume_surface.h>
 
 #include <algorithm>
@@ -233,6 +235,28 @@ void VolumeSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts
   const DefaultFloatEnvironment environment;
   if (order_ == RayOrder::walk || !directory_.complete()) trace_next_hits(query_, rays, hits, counts);
   else trace_next_hits(march_field(), stream_kernels(isa_), rays, hits, counts);
+}
+
+void VolumeSurface::any_hit(const RayStream& rays, bool (&hit)[kStreamSize], TraceCounts& counts) const {
+  if (active_bounds_.empty()) return;
+  // what Schwarze's method loses of a surface casts no shadow
+  const bool looks = !tracer_ && order_ != RayOrder::walk && macrocells_ && macrocells_->finite() &&
+                     query_.method != CellMethod::schwarze;
+  // a few that are known cost less than picking out the others
+  if (!looks || find_sure_hits(query_, rays, hit, counts) * 8 < rays.size)
+    return Surface::any_hit(rays, hit, counts);
+  RayStream left;
+  left.size = 0;
+  left.kind = rays.kind;
+  int slots[kStreamSize];
+  for (int i = 0; i < rays.size; ++i) {
+    if (hit[i]) continue;
+    slots[left.size] = i;
+    copy_ray(rays, i, left, left.size++);
+  }
+  bool found[kStreamSize] = {};
+  if (left.size > 0) Surface::any_hit(left, found, counts);
+  for (int n = 0; n < left.size; ++n) hit[slots[n]] = found[n];
 }
 
 void VolumeSurface::dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,

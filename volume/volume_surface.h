@@ -82,6 +82,8 @@ class VolumeSurface final : public Surface {
   [[nodiscard]] std::unique_ptr<PrimaryPass> primary(const View& view) const override;
   void first_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
   void next_hit(const RayStream& rays, HitStream& hits, TraceCounts& counts) const override;
+  /// Rays that surely cross the surface (sure_hits.h) are not followed to where.
+  void any_hit(const RayStream& rays, bool (&hit)[kStreamSize], TraceCounts& counts) const override;
   void find_sides(const RayStream& rays, const HitStream& hits,
                   RaySides (&sides)[kStreamSize]) const override;
   void dress(const RayStream& rays, const HitStream& hits, const DressWishes& wishes,

@@ -61,6 +61,17 @@ inline void require_same(const HitStream& a, const HitStream& b) {
   REQUIRE(slot == -1);
 }
 
+// Whether anything is hit.
+inline void compare_any(const Surface& walk, const Surface& stream, const RayStream& rays) {
+  TraceCounts counts;
+  bool any[kStreamSize] = {};
+  stream.any_hit(rays, any, counts);
+  const auto first = std::make_unique<HitStream>();
+  clear(*first);
+  walk.first_hit(rays, *first, counts);
+  for (int i = 0; i < rays.size; ++i) REQUIRE(any[i] == (first->t[i] < Box::inf));
+}
+
 // First hits, three more behind them, and what rays meet that start there; returns the number of all hits.
 inline std::int64_t compare_hits(std::mt19937_64& random, const Surface& walk, const Surface& stream,
                                  const Streams& asked, int depth) {
@@ -70,6 +81,7 @@ inline std::int64_t compare_hits(std::mt19937_64& random, const Surface& walk, c
   walk.first_hit(a->rays, a->hits, counts);
   stream.first_hit(b->rays, b->hits, counts);
   require_same(a->hits, b->hits);
+  compare_any(walk, stream, asked.rays);
   if (depth > 0) {
     const std::unique_ptr<Streams> left = make_streams();
     leave(random, *a, *left);

@@ -1,6 +1,7 @@
 // Streams in any order give the bits of the walk, ray for ray: first hits, those behind them, and rays that
 // start on the surface.
 #include <isocast/isa/cpu.h>
+#include <isocast/volume/sure_hits.h>
 #include <test_size.h>
 
 #include <catch2/catch.hpp>
@@ -21,6 +22,21 @@ std::int64_t compare(std::mt19937_64& random, const std::shared_ptr<Volume>& vol
   const std::unique_ptr<Streams> asked = make_streams();
   fill_random(random, near.empty() ? walk.bounds() : near, *asked);
   return compare_hits(random, walk, stream, *asked, 2);
+}
+
+// What is asked of the blocks of a dense volume.
+VolumeQuery query_of(const Volume& volume, const MacroCells& ranges, const std::vector<double>& iso) {
+  VolumeQuery query = {};
+  query.grid.type = volume.type;
+  for (int i = 0; i < kMacroLevels; ++i) query.grid.levels[i] = ranges.level(i);
+  const Transform grid_from_world = volume.world_from_grid.inverse();
+  for (int a = 0; a < 3; ++a) {
+    query.samples.last[a] = static_cast<std::int32_t>(volume.dims[static_cast<std::size_t>(a)]) - 1;
+    std::copy_n(grid_from_world.m[a], 4, query.grid_from_world[a]);
+  }
+  for (const double value : iso)
+    query.key[query.iso_count++] = iso_key(volume.type, (value - volume.intercept) / volume.slope, false);
+  return query;
 }
 
 }  // namespace
@@ -71,6 +87,47 @@ TEST_CASE("dense grids: every ray has the hits of the walk", "[property]") {
 }
 
 // Up to its nearest root a ray is on the side of every other iso-value that the root's own value is on.
+TEST_CASE("rays that are blocked for sure are blocked, and are many where a solid is thick", "[property]") {
+  std::mt19937_64 random(8);
+  const auto thick = [](std::int64_t i, std::int64_t j, std::int64_t k) {
+    return 50 + 40 * std::sin(0.12 * double(i)) * std::cos(0.11 * double(j)) * std::sin(0.13 * double(k) + 1);
+  };
+  int sure = 0, blocked = 0;
+  for (const SampleType type : {SampleType::f32, SampleType::u8, SampleType::i32, SampleType::f16}) {
+    const auto volume = make_volume({70, 61, 83}, type, thick);
+    const MacroCells ranges(*volume);
+    REQUIRE(ranges.finite());
+    for (const std::vector<double>& iso : {std::vector<double>{52.5}, {45.5, 60, 55}}) {
+      VolumeSurfaceOptions options;
+      options.iso = iso;
+      const VolumeSurface stream(volume, options);
+      options.order = RayOrder::walk;
+      const VolumeSurface walk(volume, options);
+      const VolumeQuery query = query_of(*volume, ranges, iso);
+      for (std::int64_t n = test::cases(40, 4000); n > 0; --n) {
+        const std::unique_ptr<Streams> asked = make_streams(), left = make_streams();
+        fill_random(random, walk.bounds(), *asked);
+        TraceCounts counts;
+        walk.first_hit(asked->rays, asked->hits, counts);
+        leave(random, *asked, *left);
+        if (left->rays.size == 0) continue;
+        bool sure_hit[kStreamSize] = {};
+        sure += find_sure_hits(query, left->rays, sure_hit, counts);
+        walk.first_hit(left->rays, left->hits, counts);
+        for (int i = 0; i < left->rays.size; ++i) {
+          blocked += left->hits.t[i] < Box::inf;
+          if (sure_hit[i]) REQUIRE(left->hits.t[i] < Box::inf);
+        }
+        compare_any(walk, stream, left->rays);
+      }
+    }
+  }
+  CHECK(blocked > 5000);
+  CHECK(sure > 0.2 * blocked);
+  // f need not be continuous where samples are not finite
+  CHECK(!MacroCells(*with_holes(make_volume(kDims, SampleType::f32, wavy))).finite());
+}
+
 TEST_CASE("the sides in front of a first hit follow the order of the iso-values") {
   std::mt19937_64 random(25);
   VolumeSurfaceOptions options = surface_options(0);
