@@ -59,7 +59,10 @@ template <class S> class SettledBlocks {
 // The ray's way through the grid; false where there is none.
 bool clip(const VolumeQuery& query, const GridRay& ray, double& near, double& far) {
   for (int a = 0; a < 3; ++a) {
-    if (ray.step[a] == 0) continue;
+    if (ray.step[a] == 0) {
+      if (ray.o[a] < query.samples.first[a] || ray.o[a] > query.samples.last[a]) return false;
+      continue;
+    }
     const double t0 = ray.plane_t(a, query.samples.first[a]), t1 = ray.plane_t(a, query.samples.last[a]);
     near = std::max(near, std::min(t0, t1)), far = std::min(far, std::max(t0, t1));
   }
