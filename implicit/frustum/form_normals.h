@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isocast/implicit/frustum/bezier.h>
+#include <isocast/implicit/frustum/block_query.h>
 #include <isocast/implicit/frustum/patch.h>
 
 namespace isocast::inline ISO_ISA {
