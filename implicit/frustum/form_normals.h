@@ -4,6 +4,7 @@
 #include <isocast/implicit/frustum/bezier.h>
 #include <isocast/implicit/frustum/block_query.h>
 #include <isocast/implicit/frustum/patch.h>
+#include <isocast/math/rounding.h>
 
 namespace isocast::inline ISO_ISA {
 
