@@ -32,19 +32,17 @@ void fill_probe(const Domain& domain, RayStream& rays) {
 }
 
 // Operations a ray in the middle block of a picture of the domain.
-double picture_work(const Surface& surface, double tape_cost, double form_cost) {
+double picture_work(const Surface& surface, double evaluation, double of_form) {
   constexpr int kSide = kBlockTiles * kTileSize, kMiddle = 3;
   const View view(frame(surface.bounds(), {}, 1), 8 * kSide, 8 * kSide);
   TraceCounts counts;
   if (const auto pass = surface.primary(view)) {
-    // three symbols take so much more than one
-    constexpr double kWider = 1.5;
     const auto hits = std::make_unique_for_overwrite<BlockHits>();
     hits->reset(surface.proves());
     pass->first_hits(kMiddle, kMiddle, 0.5, 0.5, *hits, counts);
-    return (kWider * tape_cost * static_cast<double>(counts.evaluations) +
-            form_cost * static_cast<double>(counts.solves)) /
-           (kSide * kSide);
+    return kPictureRayCost + (evaluation * static_cast<double>(counts.evaluations) +
+                              of_form * static_cast<double>(counts.solves)) /
+                                 (kSide * kSide);
   }
   const auto rays = std::make_unique<RayStream>();
   const auto hits = std::make_unique<HitStream>();
@@ -56,7 +54,7 @@ double picture_work(const Surface& surface, double tape_cost, double form_cost) 
       clear(*hits);
       surface.first_hit(*rays, *hits, counts);
     }
-  return tape_cost * static_cast<double>(counts.evaluations) / (tiles * kStreamSize);
+  return kRayCost + evaluation * static_cast<double>(counts.evaluations) / (tiles * kStreamSize);
 }
 
 }  // namespace
@@ -77,7 +75,7 @@ AutomaticMethod choose_automatically(const Expression& expression, const Domain&
     surface.first_hit(*rays, *hits, counts);
     const auto i = static_cast<std::size_t>(method);
     evaluations[i] = static_cast<double>(counts.evaluations) / kStreamSize;
-    work[i] = evaluations[i] * tape_cost(tape, method == FormulaMethod::affine);
+    work[i] = evaluations[i] * evaluation_cost(tape, method == FormulaMethod::affine);
   }
   const FormulaMethod chosen = work[0] < work[1] ? FormulaMethod::interval : FormulaMethod::affine;
   std::string reason = fmt::format(
@@ -93,13 +91,13 @@ AutomaticMethod choose_automatically(const Expression& expression, const Domain&
     return {chosen, FormulaPass::none, reason};
   const ImplicitSurface certified = surface_with(FormulaMethod::affine, FormulaPass::certified);
   // beams are affine: where that does not pay for rays, or rays are hard, they have been slower by far
-  constexpr double kHard = 100;
-  if (!certified.takes_forms() && (chosen == FormulaMethod::interval || evaluations[1] > kHard))
+  constexpr double kHard = 100, kDearer = 2;
+  if (!certified.takes_forms() && (work[1] > kDearer * work[0] || evaluations[1] > kHard))
     return {chosen, FormulaPass::none, reason};
   const double of_form = form_cost(polynomial_degree(tape).degree.value_or(0));
   const double alone = picture_work(surface_with(chosen, FormulaPass::none),
-                                    tape_cost(tape, chosen == FormulaMethod::affine), of_form);
-  const double together = picture_work(certified, tape_cost(tape, true), of_form);
+                                    evaluation_cost(tape, chosen == FormulaMethod::affine), of_form);
+  const double together = picture_work(certified, evaluation_cost(tape, true), of_form);
   reason +=
       fmt::format("; in the middle of a picture certified takes {:.0f} operations a ray, rays alone {:.0f}",
                   together, alone);
