@@ -11,10 +11,10 @@ struct AutomaticMethod {
   std::string reason;
 };
 /// interval or affine, whichever needs fewer operations for a fixed set of rays through the domain: its
-/// evaluations of the tape, each counted by the cost of the tape's operations in that arithmetic; certified
-/// instead, if that needs fewer still for the middle of a picture of the domain, and `options` ask for
-/// nothing that it lacks (its trees are not tried where rays take more than 100 affine evaluations, or twice
-/// the operations of intervals). Time is not measured, so
+/// evaluations of the tape, each counted by the cost of the tape's operations in that arithmetic and of what
+/// goes around them; certified instead, if that needs fewer still for the middle of a picture of the domain,
+/// rays themselves counted too, and `options` ask for nothing that it lacks (beams are not tried where rays
+/// take more than 100 affine evaluations, or twice the operations of intervals). Time is not measured, so
 /// the choice is the same everywhere. `options` as for the surface; its method is not used.
 [[nodiscard]] AutomaticMethod choose_automatically(const Expression& expression, const Domain& domain,
                                                    ImplicitSurfaceOptions options);

@@ -1,7 +1,7 @@
 // Rays of `certified` that no picture orders, where it takes forms: each by its own polynomial, and those of
 // which that proves nothing by inclusion.
-#include <isocast/ray/copy_ray.h>
 #include <isocast/implicit/implicit_surface.h>
+#include <isocast/ray/copy_ray.h>
 
 #include <array>
 

@@ -1,5 +1,5 @@
-#include <isocast/ray/copy_ray.h>
 #include <isocast/implicit/open_rays.h>
+#include <isocast/ray/copy_ray.h>
 #include <isocast/render/camera.h>
 
 #include <algorithm>

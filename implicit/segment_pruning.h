@@ -26,8 +26,8 @@ template <class T>
 [[nodiscard]] const Tape& pruned_along(const SegmentStream<T>& segments, const Tape& tape, double time,
                                        std::span<const double> levels);
 
-/// The tape as Pruner leaves it, with the whole tape's values, over the box of all points; good until the
-/// thread's next call.
+/// The tape as Pruner leaves it over the box of all points, with the whole tape's values and gradients: only
+/// choices without a tie are decided. Good until the thread's next call.
 [[nodiscard]] const Tape& pruned_around(const GradientStream& points, const Tape& tape, double time);
 
 }  // namespace isocast

@@ -239,6 +239,7 @@ void VolumeSurface::next_hit(const RayStream& rays, HitStream& hits, TraceCounts
 
 void VolumeSurface::any_hit(const RayStream& rays, bool (&hit)[kStreamSize], TraceCounts& counts) const {
   if (active_bounds_.empty()) return;
+  const DefaultFloatEnvironment environment;
   // what Schwarze's method loses of a surface casts no shadow
   const bool looks = !tracer_ && order_ != RayOrder::walk && macrocells_ && macrocells_->finite() &&
                      query_.method != CellMethod::schwarze;

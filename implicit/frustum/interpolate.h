@@ -7,7 +7,7 @@
 
 namespace isocast::inline ISO_ISA {
 
-/// Points across and depths at which f is asked for.
+/// Points across at which f is asked for, at each of degree + 1 depths.
 inline int points_across(int degree) { return (degree + 1) * (degree + 2) / 2; }
 
 /// f at the depths of all points across: rows of depths, filled up with the last.
@@ -120,7 +120,7 @@ inline BlockForm interpolate(const FrustumQuery& query, double unit, double* b, 
   // and in both
   const double across = __builtin_sqrt(2.0 * shape.across + 1), both = 2 * __builtin_sqrt(shape.pairs());
   const double halving = kMostHalvings * 2 * (shape.across + 4) * across,
-               cutting = (kMostHalvings + 1) * kMostCuts * (3 * d + 6);
+               cutting = (kMostHalvings + 1) * kMostCuts * (4 * d + 4);
   const double margin = 1.001 * (values + (dropped + off + (d + 4) * kUnit * most) * query.along.lebesgue) +
                         kUnit * both * (halving + cutting) * most + query.slack;
   return {shape, margin < kInfinity<double> ? margin : kInfinity<double>, negligible};

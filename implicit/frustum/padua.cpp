@@ -74,11 +74,13 @@ const std::vector<double>& chebyshev_half(int side) {
 }
 
 void chebyshev_values(int degree, double x, double* values, double* slopes) {
-  values[0] = 1, slopes[0] = 0;
-  if (degree > 0) values[1] = x, slopes[1] = 1;
-  for (int i = 1; i < degree; ++i) {
-    values[i + 1] = 2 * x * values[i] - values[i - 1];
-    slopes[i + 1] = 2 * values[i] + 2 * x * slopes[i] - slopes[i - 1];
+  // the recurrence rounds much near the ends
+  Exact value[2] = {1, x}, slope[2] = {0, 1};
+  for (int i = 0; i <= degree; ++i) {
+    values[i] = static_cast<double>(value[0]), slopes[i] = static_cast<double>(slope[0]);
+    const Exact next = 2 * x * value[1] - value[0], next_slope = 2 * value[1] + 2 * x * slope[1] - slope[0];
+    value[0] = value[1], value[1] = next;
+    slope[0] = slope[1], slope[1] = next_slope;
   }
 }
 

@@ -17,7 +17,7 @@ struct PatchShape {
 };
 /// The longest row.
 inline constexpr int kMostDepths = (kMostFormDegree + 8) / 8 * 8;
-/// How often a block's form is halved, and cut before the first and after each of them.
+/// Halvings of a block's form, and cuts before the first and after each of them, at most.
 inline constexpr int kMostHalvings = 3, kMostCuts = 3;
 
 /// to[x] = sum over m, first <= m < end, of weights[m] from(m)[x], x < length, a multiple of 8.
@@ -75,7 +75,7 @@ inline double drop_degrees(double* b, PatchShape& shape, double most) {
 inline void find_extremes(Wide a, Wide b, Wide& lo, Wide& hi) {
   const Wide ends = abs(a), bow = abs(b);
   // at the ends, or where the slope vanishes between them
-  const Wide turn = bow + a * a / (Wide(8) * bow);
+  const Wide turn = bow + a * (a / (Wide(8) * bow));
   const Mask<Wide> turns = ends<Wide(4) * bow, up = b> Wide(0);
   lo = select(turns & up, Wide(-1) * turn, b - ends);
   hi = select(turns & !up, turn, b + ends);

@@ -240,6 +240,29 @@ TEST_CASE("rays whose parts are trimmed to their beginnings come to an end") {
   CHECK(hits_seen > 200);
 }
 
+TEST_CASE("the picture of a polynomial does not depend on the size of its values") {
+  const std::string curved = "((x-0.13)^2+(y+0.07)^2-0.0004)*(z+3)";
+  const auto hits_of = [&](const std::string& factor) {
+    const Domain domain = {{-1, -1, -1}, {1, 1, 1}};
+    const ImplicitSurface surface =
+        surface_of(parse_expression(factor + "*" + curved), domain, "certified", true);
+    std::int64_t found[2] = {};
+    for (const HitStream& tile : picture_of(surface, View(frame(surface.bounds(), {}, 1), 512, 512)))
+      for (int i = 0; i < kStreamSize; ++i) {
+        found[0] += is_hit(tile, i);
+        found[1] += tile.certificate[i] == Certificate::undecided;
+      }
+    return std::pair(found[0], found[1]);
+  };
+  const auto [hits, undecided] = hits_of("1");
+  CHECK(hits > 1400);
+  CHECK(undecided == 0);
+  for (const char* factor : {"1e-140", "1e-165", "1e-200", "1e160"}) {
+    INFO(factor);
+    CHECK(hits_of(factor) == std::pair(hits, undecided));
+  }
+}
+
 TEST_CASE("a block that nobody wants is not searched") {
   const ImplicitSurface certified =
       surface_of(parse_expression("sin(20*x)*sin(20*y)-z"), kBox, "certified", false);

@@ -86,7 +86,6 @@ TEST_CASE("dense grids: every ray has the hits of the walk", "[property]") {
   CHECK(hits > 100 * rounds);
 }
 
-// Up to its nearest root a ray is on the side of every other iso-value that the root's own value is on.
 TEST_CASE("rays that are blocked for sure are blocked, and are many where a solid is thick", "[property]") {
   std::mt19937_64 random(8);
   const auto thick = [](std::int64_t i, std::int64_t j, std::int64_t k) {
@@ -128,6 +127,7 @@ TEST_CASE("rays that are blocked for sure are blocked, and are many where a soli
   CHECK(!MacroCells(*with_holes(make_volume(kDims, SampleType::f32, wavy))).finite());
 }
 
+// Up to its nearest root a ray is on the side of every other iso-value that the root's own value is on.
 TEST_CASE("the sides in front of a first hit follow the order of the iso-values") {
   std::mt19937_64 random(25);
   VolumeSurfaceOptions options = surface_options(0);

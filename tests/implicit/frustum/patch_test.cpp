@@ -148,3 +148,27 @@ TEST_CASE("halves and cuts of a form are the form, and its hull holds it") {
     CHECK((shape.across < 8 || less.shape.across < shape.across));
   }
 }
+
+TEST_CASE("the hull of a parabola holds it, however small or large its numbers are") {
+  Random random;
+  for (const double scale : {1.0, 1e-170, 1e-290, 1e170, 1e290})
+    for (int n = 0; n < 200; ++n) {
+      Form f({2, 0}, random);
+      for (double& c : f.b) c *= scale;
+      if (n % 10 == 0) *f.at(2, 0) = 0;
+      double lo[kMostDepths], hi[kMostDepths], least = 1e300, most = -1e300;
+      find_hull(f.b.data(), f.shape, lo, hi);
+      for (int i = 0; i <= 40; ++i)
+        for (int j = 0; j <= 40; ++j) {
+          const double value = f(i / 20.0 - 1, j / 20.0 - 1, 0);
+          least = std::min(least, value), most = std::max(most, value);
+        }
+      const double slack = 1e-13 * scale;
+      REQUIRE(lo[0] <= least + slack);
+      REQUIRE(hi[0] >= most - slack);
+      // all but the mixed term is exact
+      const double mixed = 2 * std::abs(*f.at(1, 1)) + 0.01 * scale;
+      REQUIRE(lo[0] >= least - mixed);
+      REQUIRE(hi[0] <= most + mixed);
+    }
+}
