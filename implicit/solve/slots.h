@@ -132,8 +132,9 @@ template <Real R> struct Slots {
   /// Fills the holes among the busy slots from their end.
   ISO_HD void close_ranks(int iso_count) {
     for (; kSlots > 1;) {
-      const int hole = lowest_bit(~busy), last = highest_bit(busy | 1);
-      if (~busy == 0 || busy == 0 || last / kWidth<R> == hole / kWidth<R> || hole > last) return;
+      if (busy == 0 || ~busy == 0) return;
+      const int hole = lowest_bit(~busy), last = highest_bit(busy);
+      if (last / kWidth<R> == hole / kWidth<R> || hole > last) return;
       move(last, hole, iso_count);
     }
   }
