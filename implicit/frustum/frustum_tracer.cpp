@@ -76,7 +76,7 @@ void FrustumTracer::begin(bool next, const RayStream& rays, HitStream& hits, Tra
     if (next && has_hit) clipped.near = std::max(clipped.near, hits.t_hi[i]);
     traced.open[i] = !clipped.misses() && (has_hit || !next);
     forms.carried[i] = next || rays.start_object[i] == options_.object;
-    forms.sides[i] = next ? sides_behind(hits, i) : rays.start_sides[i];
+    forms.sides[i] = next && has_hit ? sides_behind(hits, i) : rays.start_sides[i];
     if (next && has_hit) hits.t[i] = hits.t_lo[i] = hits.t_hi[i] = Box::inf;
     for (int a = 0; a < 3; ++a) forms.o[a][i] = clipped.o[a], forms.d[a][i] = clipped.d[a];
   }
