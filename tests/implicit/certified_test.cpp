@@ -266,8 +266,8 @@ TEST_CASE("the picture of a polynomial does not depend on the size of its values
 TEST_CASE("a block that nobody wants is not searched") {
   const ImplicitSurface certified =
       surface_of(parse_expression("sin(20*x)*sin(20*y)-z"), kBox, "certified", false);
-  const std::unique_ptr<PrimaryPass> pass =
-      certified.primary(View(frame(certified.bounds(), {}, 1), 128, 128));
+  const View view(frame(certified.bounds(), {}, 1), 128, 128);
+  const std::unique_ptr<PrimaryPass> pass = certified.primary(view);
   const auto block = std::make_unique<BlockHits>();
   const auto evaluations = [&](std::stop_token stop) {
     TraceCounts counts;
