@@ -43,9 +43,9 @@ template <class T, class C> class FrustumBlock {
     const int half = part.size / 2, size = part.shape.size();
     double *const strip = free, *const child = free + size, *const rest = free + 2 * size;
     for (int v = 0; v < 2; ++v) {
-      halve_v(strip, b, part.shape, query_.across.halves[v]);
+      halve<1>(strip, b, part.shape, query_.across.halves[v]);
       for (int u = 0; u < 2; ++u) {
-        halve_u(child, strip, part.shape, query_.across.halves[u]);
+        halve<0>(child, strip, part.shape, query_.across.halves[u]);
         FrustumPart quarter = part;
         quarter.size = half;
         quarter.x += u * half, quarter.y += v * half;

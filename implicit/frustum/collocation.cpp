@@ -1,10 +1,8 @@
-#include <isocast/implicit/frustum/bezier.h>
+#include <isocast/implicit/frustum/by_degree.h>
 #include <isocast/implicit/frustum/collocation.h>
 
 #include <Eigen/LU>
-#include <array>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
 namespace isocast {
@@ -46,13 +44,7 @@ Collocation make_collocation(int degree) {
 
 }  // namespace
 
-const Collocation& collocation(int degree) {
-  static std::array<Collocation, kMostFormDegree + 1> made;
-  static std::array<std::once_flag, kMostFormDegree + 1> flags;
-  const auto d = static_cast<std::size_t>(degree);
-  std::call_once(flags[d], [&] { made[d] = make_collocation(degree); });
-  return made[d];
-}
+const Collocation& collocation(int degree) { return made_once<make_collocation>(degree); }
 
 void bernstein_values(int degree, double x, double* values) { fill_bernstein(degree, x, values); }
 

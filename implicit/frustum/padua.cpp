@@ -1,9 +1,8 @@
-#include <isocast/implicit/frustum/bezier.h>
+#include <isocast/implicit/frustum/by_degree.h>
 #include <isocast/implicit/frustum/padua.h>
 
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
 namespace isocast {
@@ -60,13 +59,7 @@ std::vector<double> make_half(int side) {
 
 }  // namespace
 
-const Padua& padua(int degree) {
-  static std::array<Padua, kMostFormDegree + 1> made;
-  static std::array<std::once_flag, kMostFormDegree + 1> flags;
-  const auto d = static_cast<std::size_t>(degree);
-  std::call_once(flags[d], [&] { made[d] = make_padua(degree); });
-  return made[d];
-}
+const Padua& padua(int degree) { return made_once<make_padua>(degree); }
 
 const std::vector<double>& chebyshev_half(int side) {
   static const std::array<std::vector<double>, 2> halves = {make_half(0), make_half(1)};

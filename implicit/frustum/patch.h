@@ -30,20 +30,17 @@ inline void sum_rows(double* to, int length, const double* weights, int first, i
   }
 }
 
-/// A half of a form in u or v; half: chebyshev_half's.
-inline void halve_u(double* out, const double* in, const PatchShape& shape, const double* half) {
+/// A half of a form along u (kAxis 0) or v (1); half: chebyshev_half's.
+template <int kAxis>
+inline void halve(double* out, const double* in, const PatchShape& shape, const double* half) {
   const int row = shape.row();
   for (int j = 0; j <= shape.across; ++j)
-    for (int i = 0; i <= shape.across - j; ++i)
-      sum_rows(out + shape.pair(i, j) * row, row, half + i * (kMostFormDegree + 1), i, shape.across - j + 1,
-               [&](int m) { return in + shape.pair(m, j) * row; });
-}
-inline void halve_v(double* out, const double* in, const PatchShape& shape, const double* half) {
-  const int row = shape.row();
-  for (int j = 0; j <= shape.across; ++j)
-    for (int i = 0; i <= shape.across - j; ++i)
-      sum_rows(out + shape.pair(i, j) * row, row, half + j * (kMostFormDegree + 1), j, shape.across - i + 1,
-               [&](int m) { return in + shape.pair(i, m) * row; });
+    for (int i = 0; i <= shape.across - j; ++i) {
+      const int own = kAxis == 0 ? i : j, other = kAxis == 0 ? j : i;
+      sum_rows(out + shape.pair(i, j) * row, row, half + own * (kMostFormDegree + 1), own,
+               shape.across - other + 1,
+               [&](int m) { return in + (kAxis == 0 ? shape.pair(m, j) : shape.pair(i, m)) * row; });
+    }
 }
 
 /// Leaves out what is of the highest degrees across, as far as it is everywhere at most `most` together;

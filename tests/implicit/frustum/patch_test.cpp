@@ -118,8 +118,8 @@ TEST_CASE("halves and cuts of a form are the form, and its hull holds it") {
   for (const PatchShape shape : {PatchShape{1, 1}, {3, 7}, {8, 8}, {12, 18}, {24, 24}}) {
     Form whole(shape, random), strip = whole, part = whole;
     const int side_u = random.bits() % 2, side_v = random.bits() % 2;
-    halve_v(strip.b.data(), whole.b.data(), shape, chebyshev_half(side_v).data());
-    halve_u(part.b.data(), strip.b.data(), shape, chebyshev_half(side_u).data());
+    halve<1>(strip.b.data(), whole.b.data(), shape, chebyshev_half(side_v).data());
+    halve<0>(part.b.data(), strip.b.data(), shape, chebyshev_half(side_u).data());
     const double first = random(0, 0.6), last = random(first + 0.01, 1);
     cut(part.b.data(), shape, first, last);
     Form less = part;
