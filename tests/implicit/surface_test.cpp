@@ -1,14 +1,10 @@
 // ImplicitSurface: what it proves is true, the same bits on every instruction set, all crossings in order.
 #include <fmt/format.h>
+#include <implicit/formula_surfaces.h>
 #include <isocast/base/error.h>
-#include <isocast/implicit/expression/parse.h>
-#include <isocast/implicit/implicit_surface.h>
-#include <isocast/render/camera.h>
 #include <test_size.h>
-#include <volume/rays.h>
 
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <limits>
 
 using namespace isocast;
@@ -17,65 +13,6 @@ using namespace isocast::test;
 namespace {
 
 const double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Domain kBox = {{-2, -2, -2}, {2, 2, 2}};
-
-// Methods with a setting: what proves, and what does not.
-struct Choice {
-  const char *method, *key, *value;
-};
-constexpr Choice kProving[] = {
-    {"interval", "bisection", "t"},         {"interval", "bisection", "k"}, {"affine", "bisection", "t"},
-    {"affine", "bisection", "k"},           {"affine", "trim", "0"},        {"mitchell", "eps-rel", "0.001"},
-    {"interval-newton", "eps-rel", "0.001"}};
-constexpr Choice kNearest[] = {{"interval", "rounding", "nearest"}, {"affine", "rounding", "nearest"}};
-constexpr Choice kMarching[] = {{"amp-sign", "iterations", "20"}, {"amp-taylor", "iterations", "20"}};
-
-ImplicitSurfaceOptions options_of(const Choice& choice, bool precise = false, Isa isa = widest_isa()) {
-  ImplicitSurfaceOptions options;
-  options.method = choose_formula_method(choice.method, {{choice.key, choice.value}});
-  options.double_precision = precise;
-  options.isa = isa;
-  return options;
-}
-ImplicitSurface surface_of(const std::string& formula, const ImplicitSurfaceOptions& options) {
-  return ImplicitSurface(parse_expression(formula), kBox, options);
-}
-
-// Rays from around the box into it.
-std::unique_ptr<Streams> random_streams(std::mt19937_64& random) {
-  std::uniform_real_distribution<double> around(-5, 5), inside(-2, 2);
-  auto s = make_streams();
-  while (s->rays.size < kStreamSize) {
-    const Double3 o = {around(random), around(random), around(random)};
-    const Double3 target = {inside(random), inside(random), inside(random)};
-    add_ray(s->rays, o, random() % 4 ? target - o : awkward_direction(random, o));
-  }
-  return s;
-}
-
-HitStream first_hits(const ImplicitSurface& surface, const RayStream& rays) {
-  HitStream hits;
-  clear(hits);
-  std::ranges::fill(hits.certificate, Certificate::proved_miss);
-  TraceCounts counts;
-  surface.first_hit(rays, hits, counts);
-  return hits;
-}
-
-// The roots of |o + t d|^2 = r^2 for t >= 0 in long double; nothing close to a tangent.
-std::vector<long double> sphere_roots(const RayStream& rays, int i, long double radius, bool& close) {
-  const long double o[3] = {rays.ox[i], rays.oy[i], rays.oz[i]}, d[3] = {rays.dx[i], rays.dy[i], rays.dz[i]};
-  long double a = 0, b = 0, c = -radius * radius;
-  for (int k = 0; k < 3; ++k) a += d[k] * d[k], b += o[k] * d[k], c += o[k] * o[k];
-  const long double discriminant = b * b - a * c;
-  close = std::abs(discriminant) < 1e-12L * (b * b + std::abs(a * c));
-  if (discriminant < 0) return {};
-  const long double root = std::sqrt(discriminant);
-  std::vector<long double> roots;
-  for (const long double t : {(-b - root) / a, (-b + root) / a})
-    if (t >= rays.t_min[i] && t <= rays.t_max[i]) roots.push_back(t);
-  return roots;
-}
 
 }  // namespace
 
@@ -245,150 +182,6 @@ TEST_CASE("values and normals at hits are those of the formula") {
     CHECK(dressed->value[i] == Approx(0).margin(1e-9));
   }
   CHECK(seen > 20);
-}
-
-TEST_CASE("inclusions that round to the nearest find the same crossings, and prove nothing") {
-  std::mt19937_64 random(7);
-  for (const Choice& method : kNearest)
-    for (const bool precise : {false, true}) {
-      INFO(method.method << (precise ? " double" : " float"));
-      const char* formula = "x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8";
-      const ImplicitSurface surface = surface_of(formula, options_of(method, precise)),
-                            outward = surface_of(formula,
-                                                 options_of({method.method, "rounding", "outward"}, precise));
-      CHECK_FALSE(surface.proves());
-      int differ = 0, hits_seen = 0;
-      for (int round = 0; round < 8; ++round) {
-        const auto s = random_streams(random);
-        const HitStream hits = first_hits(surface, s->rays), proved = first_hits(outward, s->rays);
-        for (int i = 0; i < s->rays.size; ++i) {
-          if (!std::isinf(hits.t[i])) CHECK(hits.certificate[i] == Certificate::no_proof);
-          hits_seen += !std::isinf(hits.t[i]);
-          const double d = length({s->rays.dx[i], s->rays.dy[i], s->rays.dz[i]});
-          const bool same =
-              std::isinf(hits.t[i]) ? std::isinf(proved.t[i]) : std::abs(hits.t[i] - proved.t[i]) * d < 0.01;
-          differ += !same;
-        }
-      }
-      CHECK(hits_seen > 300);
-      // a grazing ray or two
-      CHECK(differ <= 2);
-    }
-}
-
-TEST_CASE("marching points find the sphere's crossings, prove nothing, and touch only where they may") {
-  std::mt19937_64 random(6);
-  for (const Choice& method : kMarching) {
-    INFO(method.method);
-    const ImplicitSurface surface = surface_of("x^2 + y^2 + z^2 - 1.44", options_of(method, true));
-    CHECK_FALSE(surface.proves());
-    int hits_seen = 0;
-    for (int round = 0; round < 8; ++round) {
-      const auto s = random_streams(random);
-      HitStream hits = first_hits(surface, s->rays);
-      for (int i = 0; i < s->rays.size; ++i) {
-        bool close = false;
-        const auto roots = sphere_roots(s->rays, i, 1.2L, close);
-        // two roots within a step, or a near miss of one, are what the methods may get wrong
-        const double d = length({s->rays.dx[i], s->rays.dy[i], s->rays.dz[i]});
-        if (roots.size() == 2 && (roots[1] - roots[0]) * d < 0.1) continue;
-        if (roots.empty()) continue;
-        REQUIRE(hits.t[i] == Approx(static_cast<double>(roots[0])).epsilon(1e-6));
-        CHECK(hits.certificate[i] == Certificate::no_proof);
-        ++hits_seen;
-      }
-      TraceCounts counts;
-      surface.next_hit(s->rays, hits, counts);
-      for (int i = 0; i < s->rays.size; ++i) {
-        bool close = false;
-        const auto roots = sphere_roots(s->rays, i, 1.2L, close);
-        const double d = length({s->rays.dx[i], s->rays.dy[i], s->rays.dz[i]});
-        if (roots.size() != 2 || (roots[1] - roots[0]) * d < 0.1) continue;
-        const double exit = static_cast<double>(roots[1]);
-        REQUIRE(hits.t[i] == Approx(exit).epsilon(1e-6));
-      }
-    }
-    CHECK(hits_seen > 300);
-  }
-  const auto look = [](const Choice& method, const char* formula, double offset) {
-    ImplicitSurfaceOptions options = options_of(method);
-    options.method.offset = offset;
-    auto s = make_streams();
-    add_ray(s->rays, {-1.9, 0.3, 0.4}, {1, 0, 0});
-    return first_hits(surface_of(formula, options), s->rays).t[0];
-  };
-  // the sign test misses what only touches zero, unless the surface is fattened; Taylor's finds it
-  CHECK(std::isinf(look(kMarching[0], "(x - 0.123)^2", 0)));
-  CHECK(look(kMarching[0], "(x - 0.123)^2", 0.01) == Approx(1.923).epsilon(1e-3));
-  CHECK(look(kMarching[1], "(x - 0.123)^2", 0) == Approx(2.023).epsilon(1e-2));
-}
-
-std::string union_of_balls(std::mt19937_64& random) {
-  std::string balls;
-  std::uniform_real_distribution<double> place(-1.8, 1.8);
-  for (int i = 0; i < 40; ++i)
-    balls = fmt::format("{}(x - {:.3f})^2 + (y - {:.3f})^2 + (z - {:.3f})^2 - 0.09{}",
-                        i ? "min(" + balls + ", " : "", place(random), place(random), place(random),
-                        i ? ")" : "");
-  return balls;
-}
-
-TEST_CASE("pruned tapes have the normals of whole ones") {
-  std::mt19937_64 random(3);
-  ImplicitSurfaceOptions options = options_of(kProving[2]);
-  const std::string balls = union_of_balls(random);
-  const ImplicitSurface pruned = surface_of(balls, options);
-  options.method.prune = false;
-  const ImplicitSurface whole = surface_of(balls, options);
-  const View view(frame(whole.bounds(), {}, 1), 160, 160);
-  const auto s = make_streams();
-  const auto a = std::make_unique<DressedHits>(), b = std::make_unique<DressedHits>();
-  int many = 0;
-  for (int tile = 0; tile < 100; ++tile) {
-    view.fill(tile % 10, tile / 10, 0.5, 0.5, s->rays);
-    const HitStream hits = first_hits(whole, s->rays);
-    pruned.dress(s->rays, hits, {.normal = true, .value = true}, *a);
-    whole.dress(s->rays, hits, {.normal = true, .value = true}, *b);
-    int seen = 0;
-    for (int i = 0; i < s->rays.size; ++i) {
-      if (!is_hit(hits, i)) continue;
-      ++seen;
-      REQUIRE(a->value[i] == b->value[i]);
-      for (int axis = 0; axis < 3; ++axis) REQUIRE(a->normal[axis][i] == b->normal[axis][i]);
-    }
-    many += seen > 64;
-  }
-  CHECK(many > 10);
-}
-
-TEST_CASE("pruned tapes prove what whole ones do") {
-  std::mt19937_64 random(7);
-  const std::string balls = union_of_balls(random);
-  for (const std::string& formula :
-       {balls, std::string("max(x^2 + y^2 + z^2 - 2, max(-x^2 - y^2 + 0.3, min(abs(y) - 0.4, z^3 - 0.1)))"),
-        std::string("if(x > 0.2, x^2 + y^2 - 1, abs(x)*y + z^2 - 0.3)")})
-    for (const Choice& method : kProving) {
-      INFO(formula.substr(0, 40) << " " << method.method << " " << method.key);
-      ImplicitSurfaceOptions options = options_of(method, true);
-      const ImplicitSurface pruned = surface_of(formula, options);
-      options.method.prune = false;
-      const ImplicitSurface whole = surface_of(formula, options);
-      int both = 0;
-      for (int round = 0; round < 3; ++round) {
-        const auto s = random_streams(random);
-        const HitStream a = first_hits(pruned, s->rays), b = first_hits(whole, s->rays);
-        for (int i = 0; i < s->rays.size; ++i) {
-          if (a.certificate[i] == Certificate::undecided || b.certificate[i] == Certificate::undecided)
-            continue;
-          REQUIRE(a.certificate[i] == b.certificate[i]);
-          if (a.certificate[i] != Certificate::proved_hit) continue;
-          REQUIRE(a.t_lo[i] <= b.t_hi[i]);
-          REQUIRE(b.t_lo[i] <= a.t_hi[i]);
-          ++both;
-        }
-      }
-      CHECK(both > 50);
-    }
 }
 
 TEST_CASE("hits know the component of a solid, and difference normals come near the gradient's") {
