@@ -1,7 +1,6 @@
 #include <isocast/volume/sample.h>
 #include <isocast/volume/sure_hits.h>
 #include <isocast/volume/trace_stream.h>
-#include <isocast/volume/visit_grid.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <isocast/implicit/frustum/rounding_bound.h>
 #include <isocast/implicit/open_rays.h>
 #include <isocast/implicit/register_memory.h>
+#include <isocast/ray/tile_slot.h>
 #include <isocast/render/camera.h>
 
 #include <bit>
@@ -84,7 +85,8 @@ struct Receiver {
     if (open) open->begin(view, tx, ty, offset_u, offset_v, tile);
     const std::uint32_t inside = (1u << columns) - 1;
     for (int y = 0; y < rows; ++y) {
-      for (int x = 0; x < 16; ++x) tile.cost[slot_of(x, y)] += static_cast<std::uint32_t>(roots.steps[y][x]);
+      for (int x = 0; x < 16; ++x)
+        tile.cost[tile_slot(x, y)] += static_cast<std::uint32_t>(roots.steps[y][x]);
       for (std::uint32_t left_over = (roots.hit[y] | ~roots.proved[y]) & inside; left_over != 0;
            left_over &= left_over - 1)
         take_ray(std::countr_zero(left_over), y, roots, tile);
@@ -92,11 +94,8 @@ struct Receiver {
   }
 
  private:
-  // The place of a tile's pixel in View::fill's order.
-  static int slot_of(int x, int y) { return (y / 4 * 4 + x / 4) * 16 + y % 4 * 4 + x % 4; }
-
   void take_ray(int x, int y, const TileRoots& roots, HitStream& tile) const {
-    const int i = slot_of(x, y);
+    const int i = tile_slot(x, y);
     const bool proved = roots.proved[y] >> x & 1, hit = roots.hit[y] >> x & 1;
     if (open && !proved) return open->add(i, 0, counts);
     if (!hit) {

@@ -3,6 +3,7 @@
 
 #include <isocast/math/pack.h>
 #include <isocast/ray/surface.h>
+#include <isocast/ray/tile_slot.h>
 
 namespace isocast::inline ISO_ISA {
 
@@ -37,14 +38,13 @@ class NeighbourTriangles {
   static constexpr int kSide = 16, kPitch = kSide + 8, kPlaces = (kSide + 2) * kPitch;
   static constexpr float kNone = __builtin_inff();
 
-  // Pixels in their tile's stream, and in rows with a border all around.
-  static constexpr int slot_of(int x, int y) { return (y / 4 * 4 + x / 4) * kPacketSize + y % 4 * 4 + x % 4; }
+  // Pixels in rows with a border all around.
   static constexpr int place_of(int x, int y) { return (y + 1) * kPitch + x + 4; }
 
   // Where points are counted from, their unit, and which way rows and columns turn around the rays.
   void set_frame(const RayStream& rays, int slot, double t) {
     const double *const o[3] = {rays.ox, rays.oy, rays.oz}, *const d[3] = {rays.dx, rays.dy, rays.dz};
-    constexpr int kCorner = slot_of(0, 0), kRight = slot_of(1, 0), kBelow = slot_of(0, 1);
+    constexpr int kCorner = tile_slot(0, 0), kRight = tile_slot(1, 0), kBelow = tile_slot(0, 1);
     double right[3], below[3], unit = 0, volume = 0;
     for (int a = 0; a < 3; ++a) {
       origin_[a] = o[a][slot] + t * d[a][slot];
@@ -129,7 +129,7 @@ class NeighbourTriangles {
       for (int a = 0; a < 3; ++a) store(row[a] + x, turned * normal[a]);
       hits |= bits_of(hit) << x, known |= bits_of(hit & ends) << x;
     }
-    for (int x = 0; x < kSide; x += 4) write(row, x, known >> x & 15, slot_of(x, y), dressed, made);
+    for (int x = 0; x < kSide; x += 4) write(row, x, known >> x & 15, tile_slot(x, y), dressed, made);
     return __builtin_popcount(hits & ~known);
   }
 

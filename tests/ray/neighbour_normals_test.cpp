@@ -1,6 +1,7 @@
 // Normals from neighbouring hits against their definition, pixel by pixel in double.
 #include <isocast/isa/cpu.h>
 #include <isocast/ray/neighbour_normals.h>
+#include <isocast/ray/tile_slot.h>
 #include <isocast/render/camera.h>
 
 #include <catch2/catch.hpp>
@@ -27,7 +28,7 @@ struct Tile {
     return {rays.ox[i] + hits.t[i] * rays.dx[i], rays.oy[i] + hits.t[i] * rays.dy[i],
             rays.oz[i] + hits.t[i] * rays.dz[i]};
   }
-  static int slot(int x, int y) { return (y / 4 * 4 + x / 4) * 16 + y % 4 * 4 + x % 4; }
+  static int slot(int x, int y) { return tile_slot(x, y); }
 };
 
 // The hit of one of two neighbours whose depth is nearer; -1: none.

@@ -1,6 +1,7 @@
 // The shares that a formula covers of pixels: never too small, nearly right, proved where they say so.
 #include <isocast/base/error.h>
 #include <isocast/isa/cpu.h>
+#include <isocast/ray/tile_slot.h>
 #include <render/formula_scene.h>
 
 #include <catch2/catch.hpp>
@@ -29,7 +30,7 @@ std::unique_ptr<BlockCover> cover_of(const std::string& text, const View& view, 
 }
 
 float at(const float (&shares)[kBlockStreams][kStreamSize], int x, int y) {
-  const int slot = (y % 16 / 4 * 4 + x % 16 / 4) * kPacketSize + y % 4 * 4 + x % 4;
+  const int slot = tile_slot(x % 16, y % 16);
   return shares[x / 16 + kBlockTiles * (y / 16)][slot];
 }
 

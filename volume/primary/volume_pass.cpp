@@ -1,4 +1,5 @@
 #include <isocast/isa/cpu.h>
+#include <isocast/ray/tile_slot.h>
 #include <isocast/volume/cell_root.h>
 #include <isocast/volume/primary/volume_pass.h>
 
@@ -10,9 +11,6 @@ namespace isocast {
 namespace {
 
 constexpr int kTilesPerPatch = kPatchSize / kTileSize, kPatchesPerBlock = kBlockTiles / kTilesPerPatch;
-
-// Slot of pixel (x, y) of a tile (View::fill).
-int slot_of(int x, int y) { return (y / 4 * 4 + x / 4) * kPacketSize + y % 4 * 4 + x % 4; }
 
 // The place of a patch's tile in its block.
 int block_tile(int pixel) { return pixel / kTileSize % kBlockTiles; }
@@ -90,7 +88,7 @@ unsigned VolumePass::fill_tiles(const PixelBox& pixels, unsigned filled, BlockHi
       for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; ++x) {
           const int ray = (y0 + y) * kPatchPitch + x0 + x;
-          set_depth(patch, ray, std::min(patch.rays[ray].depth, others.t[slot_of(x, y)]));
+          set_depth(patch, ray, std::min(patch.rays[ray].depth, others.t[tile_slot(x, y)]));
         }
     }
   return filled;
@@ -115,7 +113,7 @@ void VolumePass::write_tile(int x0, int y0, const PatchState& patch, BlockHits& 
   if (walk || several) view_.fill(tx, ty, patch.offset_u, patch.offset_v, rays);
   for (int y = 0; y < rows; ++y)
     for (unsigned rest = row(patch.met, y) & ~row(patch.walk, y); rest; rest &= rest - 1) {
-      const int x = std::countr_zero(rest), slot = slot_of(x, y);
+      const int x = std::countr_zero(rest), slot = tile_slot(x, y);
       const PatchHit& hit = patch.hits[(y0 + y) * kPatchPitch + x0 + x];
       const CellRoot root = {hit.t_in, hit.t_out,    hit.s,
                              hit.s_lo, hit.s_hi,     {hit.cell[0], hit.cell[1], hit.cell[2]},
@@ -130,7 +128,7 @@ void VolumePass::write_tile(int x0, int y0, const PatchState& patch, BlockHits& 
   for (int y = 0; y < kTileSize; ++y)
     for (int x = 0; x < kTileSize; ++x) {
       const bool asked = y < rows && row(patch.walk, y) >> x & 1;
-      if (!asked) rays.t_max[slot_of(x, y)] = -1;
+      if (!asked) rays.t_max[tile_slot(x, y)] = -1;
     }
   trace_first_hits(query_, rays, tile, counts);
 }
